@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// A problem: a cracked plate, what is uncertain about it, and what is asked. Plain data, the same for every
+/// discretisation; no module behind it reads a configuration. Lengths and forces are in the study's own units, angles
+/// in radians, counter-clockwise from the x axis. The plate is centred at the origin.
+
+#include "pdmc/base.h"
+
+enum { PDMC_NAME_SIZE = 64 }; // with the terminating zero
+
+typedef enum { PDMC_PLANE_STRESS, PDMC_PLANE_STRAIN } pdmc_assumption;
+typedef enum { PDMC_SIDE_LEFT, PDMC_SIDE_RIGHT, PDMC_SIDE_BOTTOM, PDMC_SIDE_TOP } pdmc_side;
+
+typedef struct {
+    double width, height, thickness; // length
+} pdmc_plate;
+
+typedef struct {
+    double youngs_modulus; // E, force / length^2
+    pdmc_assumption assumption;
+    double fracture_energy; // G_c, force / length
+} pdmc_material;
+
+/// A straight crack; its tips are called "<name>.from" and "<name>.to".
+typedef struct {
+    char name[PDMC_NAME_SIZE];
+    double from[2], to[2]; // length
+} pdmc_crack;
+
+/// A uniform traction on a whole side of the plate.
+typedef struct {
+    pdmc_side side;
+    double traction[2]; // force / length^2
+} pdmc_load;
+
+/// Displacements prescribed on a whole side; a component that is not held is free of traction, or loaded.
+typedef struct {
+    pdmc_side side;
+    bool held[2];
+    double displacement[2]; // length; 0 where not held
+} pdmc_support;
+
+typedef enum { PDMC_QUANTITY_MICROMODULUS, PDMC_QUANTITY_LOAD } pdmc_quantity;
+typedef enum { PDMC_NORMAL, PDMC_LOGNORMAL } pdmc_distribution_kind;
+
+/// An uncertain quantity.
+/// Micromodulus: "radial noise", c(r) = c_0 (1 + variation * Z_b) with independent standard normal Z_b in each of `bins`
+/// equal bins of [0, horizon] (Evangelatos & Spanos 2011, eq. 51 and section 6.3). The number of bins is a physical
+/// input: the scatter of the effective modulus falls as 1 / sqrt(bins).
+/// Load: one factor of mean 1 on all tractions, `distribution` with coefficient of variation `variation`.
+typedef struct {
+    pdmc_quantity quantity;
+    pdmc_distribution_kind distribution; // of the load factor
+    int bins;                            // of the micromodulus, >= 1
+    double variation;                    // coefficient of variation, >= 0
+} pdmc_uncertainty;
+
+/// Settings of the least-squares Kansa collocation; see pdmc/kansa.h.
+typedef struct {
+    double horizon;        // delta, length
+    double spacing;        // h of the collocation nodes, length
+    double shape;          // psi of the inverse multiquadric, length
+    int polynomial_degree; // of the appended monomials
+    int crack_orders;      // M, orders w^1 .. w^M of the analytic crack fields
+    int radial_points;     // rings on which the operator is sampled for a random c(r)
+} pdmc_kansa_options;
+
+typedef enum { PDMC_INVERSE_DIRECT, PDMC_INVERSE_NEUMANN } pdmc_inverse;
+
+typedef struct {
+    uint64_t seed;
+    int samples;
+    pdmc_inverse inverse;
+    int order; // of the Neumann expansion
+} pdmc_sampling;
+
+typedef enum { PDMC_BONDS_ALL, PDMC_BONDS_TENSILE } pdmc_bonds;
+typedef enum { PDMC_MEASURE_BOND, PDMC_MEASURE_GRIFFITH } pdmc_measure;
+enum { PDMC_MEASURES = 2 };
+
+/// Which energy release rates are asked for.
+typedef struct {
+    int tip_count;
+    int *tips; // [tip_count] tip numbers: 2 * crack for its "from", 2 * crack + 1 for its "to"
+    int angles;           // directions phi_k = 2 pi k / angles
+    double extension;     // delta_alpha, distance from the tip to the point where bonds cross, length
+    double horizon;       // radius of the bonds that are counted, length
+    pdmc_bonds bonds;     // bonds in tension only, or all
+    pdmc_measure measure; // what P(G > G_c) and the direction are computed from
+} pdmc_energy_request;
+
+typedef struct {
+    char *title;
+    char *length_unit, *force_unit;
+    pdmc_plate plate;
+    pdmc_material material;
+    int crack_count;
+    pdmc_crack *cracks; // [crack_count]
+    int load_count;
+    pdmc_load *loads; // [load_count]
+    int support_count;
+    pdmc_support *supports; // [support_count]
+    int uncertainty_count;
+    pdmc_uncertainty *uncertainties; // [uncertainty_count], each quantity at most once
+    pdmc_kansa_options kansa;
+    pdmc_sampling sampling;
+    pdmc_energy_request energy;
+} pdmc_problem;
+
+/// Frees what the problem owns and sets it to zero; a zeroed problem is allowed.
+PDMC_API void pdmc_problem_clear(pdmc_problem *problem);
+
+/// The entry for a quantity, or NULL where the quantity is certain.
+PDMC_API const pdmc_uncertainty *pdmc_problem_uncertainty(const pdmc_problem *problem, pdmc_quantity quantity);
+
+/// Poisson's ratio of the bond-based model: 1/3 in plane stress, 1/4 in plane strain.
+PDMC_API double pdmc_poissons_ratio(pdmc_assumption assumption);
+
+/// The modulus E' of plane problems, K^2 / G: E in plane stress, E / (1 - nu^2) in plane strain.
+PDMC_API double pdmc_plane_modulus(const pdmc_material *material);
+
+/// The mean micromodulus c of the bond force c s / |xi| per unit thickness: 9 E / (pi delta^3) in plane stress,
+/// 48 E / (5 pi delta^3) in plane strain, force / length^5 (eq. 16 of Evangelatos & Spanos 2011 is half of this in print).
+PDMC_API double pdmc_micromodulus(const pdmc_material *material, double horizon);

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Random numbers that depend on (seed, sample, variable) alone: any sample can be drawn by itself, in any order, on any
+/// thread, and a smaller study is the beginning of a larger one.
+
+#include "pdmc/problem.h"
+
+/// What a stream of numbers is for; streams of different purposes are independent.
+typedef enum { PDMC_STREAM_MICROMODULUS = 1, PDMC_STREAM_LOAD = 2 } pdmc_stream;
+
+/// Uniform numbers in the open interval (0, 1), 53 bits each.
+///
+/// Philox4x64-10 (Salmon, Moraes, Dror & Shaw, SC'11) with key {seed, stream} and counter {sample, variable, 0, 0}: the
+/// first word of the block belongs to the variable, so that variables too can be drawn one by one.
+/// @param[in]  seed    any number, 0 included
+/// @param[in]  sample  index of the sample
+/// @param[in]  first   index of the first variable
+/// @param[in]  count   number of variables
+/// @param[out] u       [count] uniforms of variables first, first + 1, ...
+PDMC_API void pdmc_random_uniform(uint64_t seed, pdmc_stream stream, uint64_t sample, uint64_t first, size_t count,
+                                  double u[]);
+
+/// The standard normal quantile of u; accurate in both tails.
+/// @param[in] u  in (0, 1)
+PDMC_API double pdmc_normal_quantile(double u);
+
+/// The quantile at u of a positive-mean variable with mean 1 and the given coefficient of variation:
+/// normal, 1 + variation Z; lognormal, exp(s Z - s^2 / 2) with s^2 = log(1 + variation^2).
+/// @param[in] u          in (0, 1)
+/// @param[in] variation  >= 0
+PDMC_API double pdmc_unit_mean_quantile(pdmc_distribution_kind kind, double variation, double u);

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The results of a study: what the solver found, every sample, and their statistics; one HDF5 file.
+
+#include "pdmc/statistics.h"
+#include "pdmc/study.h"
+
+typedef enum {
+    PDMC_RUN_COMPLETE,
+    PDMC_RUN_INTERRUPTED,
+} pdmc_run_status;
+
+/// Why a sample has no result. Failed samples are counted and listed, never dropped.
+typedef enum {
+    PDMC_SAMPLE_OK = 0,
+    PDMC_SAMPLE_DIVERGED = 1, // the Neumann expansion of this sample does not contract
+    PDMC_SAMPLE_SINGULAR = 2, // the sample's own system is rank deficient
+    PDMC_SAMPLE_SOFT = 3,     // the sample's effective modulus is not positive
+} pdmc_sample_failure;
+
+/// A tip, with the solution at the mean of all uncertain quantities.
+typedef struct {
+    char name[PDMC_NAME_SIZE + 8]; // "<crack>.from" or "<crack>.to"
+    double position[2];            // length
+    double direction;              // angle of straight-ahead growth, rad
+    double stress_intensity[2];    // K_I, K_II, force / length^(3/2)
+    double t_stress;               // force / length^2
+} pdmc_tip;
+
+/// Figures that say how far the discretisation can be trusted.
+typedef struct {
+    int nodes, unknowns, rows, rank;
+    double condition;    // of the column-scaled mean operator
+    double residual;     // largest row residual at the mean, force / length^2
+    double horizon, spacing;
+    double radial_error; // largest relative error of the ring interpolation, see pdmc/kansa.h
+} pdmc_solver_report;
+
+/// Statistics of one measure of the energy release rate; T tips, A angles, B bins, Q = 3 quantiles.
+/// All energies are in force / length; intervals are at `confidence`.
+enum { PDMC_QUANTILES = 3 };
+extern PDMC_API const double pdmc_quantile_levels[PDMC_QUANTILES]; // 0.05, 0.50, 0.95
+
+typedef struct {
+    pdmc_estimate *mean;               // [T, A]
+    pdmc_estimate *standard_deviation; // [T, A]
+    pdmc_estimate *quantiles;          // [T, A, Q]
+    double *histogram_edges;           // [T, A, B + 1]
+    int64_t *histogram_counts;         // [T, A, B + 2] with underflow first and overflow last
+    pdmc_estimate *density;            // [T, A, B] probability density, length / force
+} pdmc_energy_statistics;
+
+/// The plate as it was discretised, and its displacement at the mean.
+typedef struct {
+    int node_count;
+    double *node_position;     // [node_count, 2]
+    double *node_displacement; // [node_count, 2]
+    int face_points;           // points along each crack
+    double *face_position;     // [crack_count, face_points, 2] from "from" to "to"
+    double *face_displacement; // [crack_count, face_points, 2 (left, right of from -> to), 2]
+} pdmc_field;
+
+typedef struct {
+    double assembly, factorisation, energy_rows, sampling, energy, statistics, output, total; // wall seconds
+    int threads;
+} pdmc_runtime;
+
+typedef struct {
+    // the study
+    char *title, *length_unit, *force_unit, *input, *resolved;
+    uint64_t seed;
+    char *date_and_time; // ISO 8601, UTC
+    char *pdmc_version, *git_sha1; // of the program that computed the results
+    pdmc_run_status status;
+    double confidence; // level of every interval, 0.95
+    double plate_width, plate_height, fracture_energy, extension, energy_horizon;
+    pdmc_measure measure; // what direction and probability are computed from
+    pdmc_bonds bonds;
+
+    // the solution at the mean
+    int crack_count;
+    double *cracks; // [crack_count, 4] from x, y, to x, y
+    int tip_count;  // T
+    pdmc_tip *tips; // [T]
+    int angle_count; // A
+    double *angles;  // [A] rad
+    double *nominal_bond_energy;         // [T, A] all bonds
+    double *nominal_bond_energy_tensile; // [T, A] bonds in tension only
+    double *nominal_griffith_energy;     // [T, A]
+    pdmc_solver_report solver;
+    pdmc_field field;
+
+    // the samples
+    int sample_count; // S
+    int failed_count;
+    int bin_count;              // R, of c(r); 0 where the micromodulus is certain
+    double *load_factor;        // [S]
+    double *micromodulus;       // [S, R] c(r) / c_0 in each bin
+    double *effective_modulus;  // [S] E_eff / E
+    double *contraction;        // [S] measured factor of the Neumann expansion; NaN with direct solves
+    uint8_t *failure;           // [S] pdmc_sample_failure
+    double *stress_intensity;   // [S, T, 2] K_I, K_II
+    double *energy[PDMC_MEASURES]; // each [S, T, A], by pdmc_measure; NaN where the sample failed
+
+    // their statistics, over the samples that did not fail
+    int histogram_bins; // B
+    pdmc_energy_statistics statistics[PDMC_MEASURES];
+    pdmc_estimate *direction;   // [T, A] share of the samples whose `measure` is largest at that angle
+    pdmc_estimate *probability; // [T] P(max over angles of `measure` > fracture_energy); bounds count failed samples
+                                // as both, m / N and (m + failed) / N
+
+    pdmc_runtime runtime;
+} pdmc_results;
+
+PDMC_API extern const char *const pdmc_measure_names[PDMC_MEASURES]; // "bond_energy", "griffith_energy"
+
+/// Frees what the results own and sets them to zero; zeroed results are allowed.
+PDMC_API void pdmc_results_clear(pdmc_results *results);
+
+/// Writes a result file. It appears under its name only when it is whole: it is written to a temporary file in the same
+/// folder, closed, synced and renamed.
+/// @param[in] overwrite  false: an existing file is left alone and refused
+/// @return PDMC_OK, PDMC_ERR_CREATE (no permission, no folder, it exists), or PDMC_ERR_IO (disk full, ...)
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_results_write(const pdmc_results *results, const char *path, bool overwrite);
+
+/// Reads a result file.
+/// @param[out] results  free with pdmc_results_clear(); zero on failure
+/// @return PDMC_OK, PDMC_ERR_NO_INPUT, PDMC_ERR_DATA (not a result file, another major version, incomplete), or
+/// PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_results_read(const char *path, pdmc_results *results);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The study file: libconfig syntax, one table of settings as its schema. It ends in a plain problem.
+
+#include "pdmc/problem.h"
+
+typedef struct {
+    pdmc_problem problem;
+    char *input;    // the study file as it was given
+    char *resolved; // every setting, defaults filled in, with its unit; itself a valid study file
+    char *warnings; // one line each, "file:line: ..."; "" if there are none
+} pdmc_study;
+
+/// Reads a study file.
+/// Every setting is checked: unknown keys (with the nearest known one), kinds, ranges, and meaning (cracks inside the
+/// plate, a horizon that fits the cracks, a load, tips that exist). The message of a failure is one line,
+/// "file:line: what is wrong, what is allowed".
+/// @param[in]  path   the file; @include lines are relative to its folder
+/// @param[out] study  free with pdmc_study_clear(); zero on failure
+/// @return PDMC_OK, PDMC_ERR_NO_INPUT, PDMC_ERR_CONFIG, or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_study_read(const char *path, pdmc_study *study);
+
+/// Writes `study->resolved` anew after the problem was changed (another seed, another number of samples).
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_study_resolve(pdmc_study *study);
+
+/// The table of settings as text, one line a setting: key, kind, unit, range, default, meaning. Free with free().
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_study_describe(char **text);
+
+/// Frees what the study owns and sets it to zero; a zeroed study is allowed.
+PDMC_API void pdmc_study_clear(pdmc_study *study);
