@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Quadrature over discs. Pure functions, no state.
+
+#include "pdmc/base.h"
+
+/// Gauss-Legendre rule with n points on [lower, upper], exact for polynomials of degree <= 2 n - 1.
+/// @param[in]  n  >= 1
+/// @param[out] x  [n] ascending
+/// @param[out] w  [n] summing to upper - lower
+/// @return PDMC_OK, PDMC_ERR_ARG, or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_gauss_legendre(int n, double lower, double upper, double x[], double w[]);
+
+enum { PDMC_MAX_RINGS = 32 };
+
+/// A rule for integrals over the radius of a disc with a weight that is piecewise constant in it, such as a random
+/// micromodulus.
+///
+/// An analytic field makes F(r), the integral of bond quantities over a ring, an even function of r with F(0) = 0. With
+/// s = r^2, F(r) / s is interpolated by the polynomial of degree `rings` - 1 in s, and each bin of r integrates that
+/// interpolant exactly:
+///     int_bin r^(power - 2) F(r) dr  ~  sum_q weight[bin][q] F(radius[q]).
+/// The radii are those of the Gauss-Jacobi rule of the weight r^power dr, so that a weight that is constant in r is
+/// integrated exactly for F(r) / s of degree 2 rings - 1 in s. The sum over q of weight[bin][q] radius[q]^2 is
+/// int_bin r^power dr whatever the number of rings.
+typedef struct {
+    int rings, bins;
+    double radius[PDMC_MAX_RINGS]; // ascending, in (0, outer radius)
+    double mean[PDMC_MAX_RINGS];   // sum over the bins of weight
+    double *weight;                // [bins, rings]
+} pdmc_ring_rule;
+
+/// @param[in]  rings  1 <= rings <= PDMC_MAX_RINGS
+/// @param[in]  bins   >= 1, equal bins of [0, radius]
+/// @param[in]  power  >= 2: 2 for forces, 3 for the energy of bonds that cross a line
+/// @param[out] rule   free with pdmc_ring_rule_clear(); zero on failure
+/// @return PDMC_OK, PDMC_ERR_ARG, or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_ring_rule_create(int rings, int bins, int power, double radius,
+                                                          pdmc_ring_rule *rule);
+
+/// A zeroed rule is allowed.
+PDMC_API void pdmc_ring_rule_clear(pdmc_ring_rule *rule);
