@@ -9,7 +9,8 @@
 /// What a stream of numbers is for; streams of different purposes are independent.
 typedef enum { PDMC_STREAM_MICROMODULUS = 1, PDMC_STREAM_LOAD = 2 } pdmc_stream;
 
-/// Uniform numbers in the open interval (0, 1), 53 bits each.
+/// Uniform numbers in the open interval (0, 1): the odd multiples of 2^-53, so that 1 - u is exact and as likely as u.
+/// (The half of a 53-bit cell has no double: its greatest would round to 1.)
 ///
 /// Philox4x64-10 (Salmon, Moraes, Dror & Shaw, SC'11) with key {seed, stream} and counter {sample, variable, 0, 0}: the
 /// first word of the block belongs to the variable, so that variables too can be drawn one by one.
