@@ -123,3 +123,14 @@ PDMC_API double pdmc_plane_modulus(const pdmc_material *material);
 /// The mean micromodulus c of the bond force c s / |xi| per unit thickness: 9 E / (pi delta^3) in plane stress,
 /// 48 E / (5 pi delta^3) in plane strain, force / length^5 (eq. 16 of Evangelatos & Spanos 2011 is half of this in print).
 PDMC_API double pdmc_micromodulus(const pdmc_material *material, double horizon);
+
+/// The rigid motions that the supports leave free.
+/// @param[out] count    0 to 3
+/// @param[out] motions  [count, 3] t_x, t_y, omega: u = t_x - omega y, v = t_y + omega x
+/// @return PDMC_OK or PDMC_ERR_EXTERN
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_problem_free_motions(const pdmc_problem *problem, int *count,
+                                                              double motions[3][3]);
+
+/// Refuses tractions that do work on a rigid motion which nothing holds.
+/// @return PDMC_OK, PDMC_ERR_CONFIG, or PDMC_ERR_EXTERN
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_problem_check_equilibrium(const pdmc_problem *problem);

@@ -47,3 +47,11 @@ void pdmc_free(void *pointer);
 
 extern long pdmc_alloc_countdown; // tests only: allocations left before refusal, < 0 for no limit
 extern int pdmc_alloc_refused;    // tests only: how many were refused
+
+/// Makes OpenBLAS run on the calling thread alone. Its results can change with its number of threads, and its threads
+/// fight with ours: it is called from our own parallel loops, over blocks whose shape does not depend on the number of
+/// threads. Process-wide, and harmless to repeat.
+void pdmc_blas_prepare(void);
+
+/// Seconds of a clock that only runs forward.
+double pdmc_seconds(void);

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// An affine model, what every discretisation gives to the stochastic solvers:
+///     K(xi) x = s_0 F_0 + s_1 F_1,   K(xi) = K_0 + sum_m xi_m K_m,
+/// F_0 the held displacements, F_1 the loads; x in coordinates of the discretisation's choice. The coefficients xi, the
+/// effective modulus and the weights of the energy are linear in the relative deviations eta_b = c_b / c_0 - 1 of the
+/// micromodulus in its bins.
+
+#include "pdmc/base.h"
+#include "pdmc/quadrature.h"
+
+typedef struct pdmc_affine pdmc_affine;
+
+/// Columns of every block that the verbs work on. A constant: the order of summation inside a matrix product depends on
+/// the shape of the block, and so would the last bits of the results.
+enum { PDMC_BLOCK = 64 };
+
+/// The verbs of a discretisation. They may be called from several threads at once.
+typedef struct {
+    /// Y = K_0^-1 (sum_m xi_m K_m) X, column by column.
+    /// @param[in]  xi  [PDMC_BLOCK, terms]
+    /// @param[in]  x   [PDMC_BLOCK, unknowns]
+    /// @param[out] y   [PDMC_BLOCK, unknowns]
+    pdmc_status (*perturb)(const pdmc_affine *model, const double xi[], const double x[], double y[]);
+
+    /// Solves K(xi) x = s_0 F_0 + s_1 F_1 by its own factorisation.
+    /// @param[out] x  [unknowns]
+    /// @return PDMC_OK, PDMC_ERR_SINGULAR, or PDMC_ERR_NOMEM
+    pdmc_status (*solve)(const pdmc_affine *model, const double xi[], const double scale[2], double x[]);
+
+    /// Frees `discretisation`.
+    void (*destroy)(void *discretisation);
+} pdmc_affine_verbs;
+
+/// The energy release rate at one point of a circle round a tip in factored form: with z = basis x,
+///     G = 1/2 sum_q g_q sum_{bonds b of ring q} weight_b (row_b . z)^2,   g_q = sum_bins c_bin rings.weight[bin][q].
+typedef struct {
+    int dimension, bonds;
+    double *row;    // [bonds, dimension]
+    double *weight; // [bonds]
+    int *ring;      // [bonds] ascending
+} pdmc_crossing;
+
+struct pdmc_affine {
+    int unknowns, terms, bins;
+    double *term_weight;    // [bins, terms] xi_m = sum_b eta_b term_weight[b][m]
+    double *modulus_weight; // [bins] E_eff / E = 1 + sum_b eta_b modulus_weight[b]
+    double *solution[2];    // [unknowns] each: K_0^-1 F_0 and K_0^-1 F_1
+
+    int tips, angles;
+    double *stress_intensity; // [2 tips, unknowns] rows of K_I, K_II of each tip at E_eff = E
+    double micromodulus;      // c_0 at the horizon of the energy, force / length^5
+    pdmc_ring_rule energy_rings;
+    int dimensions;           // sum of the crossings' dimensions
+    double *basis;            // [dimensions, unknowns], the crossings' bases one after another
+    pdmc_crossing *crossings; // [tips, angles]
+
+    const pdmc_affine_verbs *verbs;
+    void *discretisation;
+};
+
+/// A zeroed model is allowed.
+PDMC_API void pdmc_affine_clear(pdmc_affine *model);
