@@ -115,13 +115,30 @@ typedef struct {
 
 PDMC_API extern const char *const pdmc_measure_names[PDMC_MEASURES]; // "bond_energy", "griffith_energy"
 
+/// What a number of the results is measured in, and so what its unit is made of.
+typedef enum {
+    PDMC_UNIT_NONE,             // 1
+    PDMC_UNIT_ANGLE,            // rad
+    PDMC_UNIT_TIME,             // s
+    PDMC_UNIT_LENGTH,           // length
+    PDMC_UNIT_STRESS,           // force / length^2
+    PDMC_UNIT_STRESS_INTENSITY, // force / length^(3/2)
+    PDMC_UNIT_ENERGY,           // force / length
+    PDMC_UNIT_DENSITY,          // length / force, the probability density of an energy
+} pdmc_unit;
+enum { PDMC_UNIT_SIZE = 160 }; // enough for any unit of a study whose own units have at most 64 characters
+
+/// Writes a unit in the study's own units, e.g. "N/cm"; cut short at `size`, which counts the terminating zero.
+PDMC_API void pdmc_results_unit(const pdmc_results *results, pdmc_unit unit, size_t size, char text[]);
+
 /// Frees what the results own and sets them to zero; zeroed results are allowed.
 PDMC_API void pdmc_results_clear(pdmc_results *results);
 
 /// Writes a result file. It appears under its name only when it is whole: it is written to a temporary file in the same
-/// folder, closed, synced and renamed.
+/// folder, closed, synced and renamed. As HDF5 is built without threads, one thread at a time may write or read.
 /// @param[in] overwrite  false: an existing file is left alone and refused
-/// @return PDMC_OK, PDMC_ERR_CREATE (no permission, no folder, it exists), or PDMC_ERR_IO (disk full, ...)
+/// @return PDMC_OK, PDMC_ERR_ARG (a missing array, counts that contradict each other), PDMC_ERR_CREATE (no permission,
+/// no folder, it exists), PDMC_ERR_IO (disk full, ...), or PDMC_ERR_NOMEM
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_results_write(const pdmc_results *results, const char *path, bool overwrite);
 
 /// Reads a result file.

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/layout.h"
+
+#include <string.h>
+
+#define MEMBER(name) offsetof(pdmc_results, name)
+#define COUNT(array) (sizeof(array) / sizeof((array)[0]))
+
+// A row for each kind of place where numbers lie.
+#define NUMBER(path, kind, name, unit, text) {path, text, PDMC_KIND_##kind, PDMC_UNIT_##unit, MEMBER(name), 0, 0, 1, {0}}
+#define ARRAY(path, kind, type, name, unit, text, ...)                                                                 \
+    {path, text, PDMC_KIND_##kind, PDMC_UNIT_##unit, MEMBER(name), sizeof(type), 0, 1, {__VA_ARGS__}}
+#define REALS(path, name, unit, text, ...) ARRAY(path, REAL, double, name, unit, text, __VA_ARGS__)
+#define TIPS(path, kind, name, unit, text, width, ...)                                                                 \
+    {path, text, PDMC_KIND_##kind, PDMC_UNIT_##unit, MEMBER(tips), sizeof(pdmc_tip), offsetof(pdmc_tip, name),         \
+     width, {PDMC_DIM_TIP, __VA_ARGS__}}
+#define ESTIMATES(path, name, unit, text, ...)                                                                         \
+    {path, text, PDMC_KIND_REAL, PDMC_UNIT_##unit, MEMBER(name), sizeof(pdmc_estimate),                                \
+     offsetof(pdmc_estimate, value), 1, {__VA_ARGS__}},                                                                \
+    {path "_interval", "lower and upper bound at the file's confidence: " text, PDMC_KIND_REAL, PDMC_UNIT_##unit,      \
+     MEMBER(name), sizeof(pdmc_estimate), offsetof(pdmc_estimate, lower), 2, {__VA_ARGS__, PDMC_DIM_BOUND}}
+#define ENERGY_STATISTICS(group, which)                                                                                \
+    ESTIMATES(group "/mean", statistics[which].mean, ENERGY, "mean", PDMC_DIM_TIP, PDMC_DIM_ANGLE),                    \
+    ESTIMATES(group "/standard_deviation", statistics[which].standard_deviation, ENERGY, "standard deviation",         \
+              PDMC_DIM_TIP, PDMC_DIM_ANGLE),                                                                           \
+    ESTIMATES(group "/quantiles", statistics[which].quantiles, ENERGY,                                                 \
+              "quantiles at the levels of /statistics", PDMC_DIM_TIP, PDMC_DIM_ANGLE, PDMC_DIM_QUANTILE),              \
+    REALS(group "/histogram_edges", statistics[which].histogram_edges, ENERGY, "edges of the histogram's bins",        \
+          PDMC_DIM_TIP, PDMC_DIM_ANGLE, PDMC_DIM_EDGE),                                                                \
+    ARRAY(group "/histogram_counts", INT64, int64_t, statistics[which].histogram_counts, NONE,                         \
+          "samples below the first edge, in each bin, and above the last edge", PDMC_DIM_TIP, PDMC_DIM_ANGLE,          \
+          PDMC_DIM_BIN_AND_OUTSIDE),                                                                                   \
+    ESTIMATES(group "/density", statistics[which].density, DENSITY, "probability density in each bin", PDMC_DIM_TIP,   \
+              PDMC_DIM_ANGLE, PDMC_DIM_BIN)
+#define SECONDS(name, text) NUMBER("/runtime/" #name, REAL, runtime.name, TIME, "wall time of " text)
+
+// An axis is sized by the first dataset that has it, so each count comes with an array that holds little else.
+const pdmc_dataset pdmc_datasets[] = {
+    NUMBER("/plate/width", REAL, plate_width, LENGTH, "width of the plate, centred at the origin"),
+    NUMBER("/plate/height", REAL, plate_height, LENGTH, "height of the plate, centred at the origin"),
+    NUMBER("/plate/fracture_energy", REAL, fracture_energy, ENERGY, "fracture energy G_c of the material"),
+    NUMBER("/plate/extension", REAL, extension, LENGTH, "distance from a tip to where bonds are counted"),
+    NUMBER("/plate/energy_horizon", REAL, energy_horizon, LENGTH, "radius of the bonds that are counted"),
+    REALS("/cracks", cracks, LENGTH, "from x, from y, to x, to y of each crack", PDMC_DIM_CRACK, PDMC_DIM_END_POINT),
+
+    TIPS("/tips/name", NAME, name, NONE, "crack and end", 1, PDMC_DIM_END),
+    TIPS("/tips/position", REAL, position, LENGTH, "position", 2, PDMC_DIM_COORDINATE),
+    TIPS("/tips/direction", REAL, direction, ANGLE, "angle of straight-ahead growth", 1, PDMC_DIM_END),
+    TIPS("/tips/stress_intensity", REAL, stress_intensity, STRESS_INTENSITY, "K_I and K_II at the mean", 2,
+         PDMC_DIM_MODE),
+    TIPS("/tips/t_stress", REAL, t_stress, STRESS, "T-stress at the mean", 1, PDMC_DIM_END),
+    REALS("/angles", angles, ANGLE, "directions of growth, from the x axis", PDMC_DIM_ANGLE),
+
+    REALS("/nominal/bond_energy", nominal_bond_energy, ENERGY, "bond energy release rate at the mean, all bonds",
+          PDMC_DIM_TIP, PDMC_DIM_ANGLE),
+    REALS("/nominal/bond_energy_tensile", nominal_bond_energy_tensile, ENERGY,
+          "bond energy release rate at the mean, bonds in tension only", PDMC_DIM_TIP, PDMC_DIM_ANGLE),
+    REALS("/nominal/griffith_energy", nominal_griffith_energy, ENERGY,
+          "Griffith energy release rate of a small kink at the mean", PDMC_DIM_TIP, PDMC_DIM_ANGLE),
+
+    NUMBER("/solver/nodes", INT, solver.nodes, NONE, "collocation nodes"),
+    NUMBER("/solver/unknowns", INT, solver.unknowns, NONE, "unknowns"),
+    NUMBER("/solver/rows", INT, solver.rows, NONE, "equations"),
+    NUMBER("/solver/rank", INT, solver.rank, NONE, "numerical rank"),
+    NUMBER("/solver/condition", REAL, solver.condition, NONE, "condition of the column-scaled mean operator"),
+    NUMBER("/solver/residual", REAL, solver.residual, STRESS, "largest residual of an equation at the mean"),
+    NUMBER("/solver/horizon", REAL, solver.horizon, LENGTH, "peridynamic horizon"),
+    NUMBER("/solver/spacing", REAL, solver.spacing, LENGTH, "spacing of the nodes"),
+    NUMBER("/solver/radial_error", REAL, solver.radial_error, NONE, "largest relative error of the ring interpolation"),
+
+    REALS("/field/node_position", field.node_position, LENGTH, "nodes", PDMC_DIM_NODE, PDMC_DIM_COORDINATE),
+    REALS("/field/node_displacement", field.node_displacement, LENGTH, "displacement of the nodes at the mean",
+          PDMC_DIM_NODE, PDMC_DIM_COORDINATE),
+    REALS("/field/face_position", field.face_position, LENGTH, "points along each crack", PDMC_DIM_CRACK,
+          PDMC_DIM_FACE_POINT, PDMC_DIM_COORDINATE),
+    REALS("/field/face_displacement", field.face_displacement, LENGTH,
+          "displacement at the mean of the faces to the left and right of each crack", PDMC_DIM_CRACK,
+          PDMC_DIM_FACE_POINT, PDMC_DIM_FACE, PDMC_DIM_COORDINATE),
+
+    REALS("/samples/load_factor", load_factor, NONE, "factor on the loads", PDMC_DIM_SAMPLE),
+    REALS("/samples/micromodulus", micromodulus, NONE, "c(r) / c_0 in equal bins of [0, horizon]", PDMC_DIM_SAMPLE,
+          PDMC_DIM_RADIAL_BIN),
+    REALS("/samples/effective_modulus", effective_modulus, NONE, "effective over mean Young's modulus",
+          PDMC_DIM_SAMPLE),
+    REALS("/samples/contraction", contraction, NONE, "measured factor of the Neumann expansion, NaN with direct solves",
+          PDMC_DIM_SAMPLE),
+    ARRAY("/samples/failure", BYTE, uint8_t, failure, NONE,
+          "0 none, 1 the expansion does not contract, 2 singular system, 3 effective modulus not positive",
+          PDMC_DIM_SAMPLE),
+    REALS("/samples/stress_intensity", stress_intensity, STRESS_INTENSITY, "K_I and K_II", PDMC_DIM_SAMPLE,
+          PDMC_DIM_TIP, PDMC_DIM_MODE),
+    REALS("/samples/bond_energy", energy[PDMC_MEASURE_BOND], ENERGY, "bond energy release rate, NaN where it failed",
+          PDMC_DIM_SAMPLE, PDMC_DIM_TIP, PDMC_DIM_ANGLE),
+    REALS("/samples/griffith_energy", energy[PDMC_MEASURE_GRIFFITH], ENERGY,
+          "Griffith energy release rate of a small kink, NaN where it failed", PDMC_DIM_SAMPLE, PDMC_DIM_TIP,
+          PDMC_DIM_ANGLE),
+
+    ENERGY_STATISTICS("/statistics/bond_energy", PDMC_MEASURE_BOND),
+    ENERGY_STATISTICS("/statistics/griffith_energy", PDMC_MEASURE_GRIFFITH),
+    ESTIMATES("/statistics/direction", direction, NONE, "share of samples whose energy is largest at the angle",
+              PDMC_DIM_TIP, PDMC_DIM_ANGLE),
+    ESTIMATES("/statistics/probability", probability, NONE, "probability that the largest energy exceeds G_c",
+              PDMC_DIM_TIP),
+
+    SECONDS(assembly, "the assembly of the mean operator"),
+    SECONDS(factorisation, "its factorisation"),
+    SECONDS(energy_rows, "the rows of the energy"),
+    SECONDS(sampling, "the solutions of the samples"),
+    SECONDS(energy, "the energies of the samples"),
+    SECONDS(statistics, "the statistics"),
+    SECONDS(output, "the output"),
+    SECONDS(total, "the whole study"),
+};
+const size_t pdmc_dataset_count = COUNT(pdmc_datasets);
+
+static const char *const run_statuses[] = {[PDMC_RUN_COMPLETE] = "complete", [PDMC_RUN_INTERRUPTED] = "interrupted"};
+static const char *const bond_names[] = {[PDMC_BONDS_ALL] = "all", [PDMC_BONDS_TENSILE] = "tensile"};
+
+#define ATTRIBUTE(object, kind, name, member) {object, name, PDMC_ATTRIBUTE_##kind, MEMBER(member), NULL, 0}
+#define CHOICE(object, name, names) {object, #name, PDMC_ATTRIBUTE_CHOICE, MEMBER(name), names, (int)COUNT(names)}
+
+const pdmc_attribute pdmc_attributes[] = {
+    ATTRIBUTE("/", TEXT, "git_sha1", git_sha1),
+    ATTRIBUTE("/", TEXT, "date_and_time", date_and_time),
+    ATTRIBUTE("/", TEXT, "title", title),
+    ATTRIBUTE("/", TEXT, "input", input),
+    ATTRIBUTE("/", TEXT, "resolved", resolved),
+    ATTRIBUTE("/", TEXT, "length_unit", length_unit),
+    ATTRIBUTE("/", TEXT, "force_unit", force_unit),
+    ATTRIBUTE("/", SEED, "seed", seed),
+    ATTRIBUTE("/", REAL, "confidence", confidence),
+    ATTRIBUTE("/", INT, "threads", runtime.threads),
+    ATTRIBUTE("/samples", INT, "failed_count", failed_count),
+    CHOICE("/", status, run_statuses),
+    CHOICE("/plate", measure, pdmc_measure_names),
+    CHOICE("/plate", bonds, bond_names),
+};
+const size_t pdmc_attribute_count = COUNT(pdmc_attributes);
+_Static_assert(sizeof(pdmc_run_status) == sizeof(int) && sizeof(pdmc_measure) == sizeof(int) &&
+                   sizeof(pdmc_bonds) == sizeof(int),
+               "choices are read and written as int");
+
+static const struct {
+    const char *label;
+    size_t member; // of a counted axis
+    bool counted;
+    int more; // a counted axis is this much longer than its field; a fixed one has this size
+} dimensions[] = {
+    [PDMC_DIM_CRACK] = {"crack", MEMBER(crack_count), true, 0},
+    [PDMC_DIM_TIP] = {"tip", MEMBER(tip_count), true, 0},
+    [PDMC_DIM_ANGLE] = {"angle", MEMBER(angle_count), true, 0},
+    [PDMC_DIM_SAMPLE] = {"sample", MEMBER(sample_count), true, 0},
+    [PDMC_DIM_RADIAL_BIN] = {"radial bin", MEMBER(bin_count), true, 0},
+    [PDMC_DIM_NODE] = {"node", MEMBER(field.node_count), true, 0},
+    [PDMC_DIM_FACE_POINT] = {"point along the crack", MEMBER(field.face_points), true, 0},
+    [PDMC_DIM_EDGE] = {"edge", MEMBER(histogram_bins), true, 1},
+    [PDMC_DIM_BIN] = {"bin", MEMBER(histogram_bins), true, 0},
+    [PDMC_DIM_BIN_AND_OUTSIDE] = {"underflow, bins, overflow", MEMBER(histogram_bins), true, 2},
+    [PDMC_DIM_QUANTILE] = {"quantile level", 0, false, PDMC_QUANTILES},
+    [PDMC_DIM_COORDINATE] = {"x, y", 0, false, 2},
+    [PDMC_DIM_END_POINT] = {"from x, from y, to x, to y", 0, false, 4},
+    [PDMC_DIM_MODE] = {"K_I, K_II", 0, false, 2},
+    [PDMC_DIM_FACE] = {"left, right face", 0, false, 2},
+    [PDMC_DIM_BOUND] = {"lower, upper", 0, false, 2},
+};
+
+const char *pdmc_dimension_label(pdmc_dimension dimension)
+{
+    return dimensions[dimension].label;
+}
+
+int *pdmc_dimension_field(pdmc_results *results, pdmc_dimension dimension, int *more)
+{
+    *more = dimensions[dimension].more;
+    return dimensions[dimension].counted ? (int *)((char *)results + dimensions[dimension].member) : NULL;
+}
+
+size_t pdmc_dimension_size(const pdmc_results *results, pdmc_dimension dimension)
+{
+    int count = 0;
+    if (dimensions[dimension].counted)
+        memcpy(&count, (const char *)results + dimensions[dimension].member, sizeof count);
+    return (size_t)(count + dimensions[dimension].more);
+}
+
+size_t pdmc_dataset_rank(const pdmc_dataset *dataset)
+{
+    size_t rank = 0;
+    while (dataset->axes[rank] != PDMC_DIM_END) rank++;
+    return rank;
+}
+
+size_t pdmc_dataset_size(const pdmc_results *results, const pdmc_dataset *dataset)
+{
+    size_t size = 1;
+    for (const pdmc_dimension *axis = dataset->axes; *axis != PDMC_DIM_END; axis++)
+        size *= pdmc_dimension_size(results, *axis);
+    return size;
+}
+
+size_t pdmc_kind_size(pdmc_kind kind)
+{
+    static const size_t sizes[] = {
+        [PDMC_KIND_REAL] = sizeof(double),   [PDMC_KIND_INT] = sizeof(int),
+        [PDMC_KIND_INT64] = sizeof(int64_t), [PDMC_KIND_BYTE] = sizeof(uint8_t),
+        [PDMC_KIND_NAME] = sizeof(((pdmc_tip *)NULL)->name),
+    };
+    return sizes[kind];
+}
+
+bool pdmc_dataset_is_packed(const pdmc_dataset *dataset)
+{
+    return dataset->stride == 0 || dataset->stride == dataset->width * pdmc_kind_size(dataset->kind);
+}
+
+void *pdmc_dataset_memory(const pdmc_results *results, const pdmc_dataset *dataset)
+{
+    char *place = (char *)results + dataset->member;
+    if (dataset->stride == 0) return place;
+    void *memory; // by memcpy, since the pointers have different types
+    memcpy(&memory, place, sizeof memory);
+    return memory;
+}
+
+void pdmc_dataset_set_memory(pdmc_results *results, const pdmc_dataset *dataset, void *memory)
+{
+    memcpy((char *)results + dataset->member, &memory, sizeof memory);
+}
+
+void pdmc_dataset_gather(const pdmc_dataset *dataset, size_t size, const void *structures, void *packed)
+{
+    const size_t bytes = dataset->width * pdmc_kind_size(dataset->kind);
+    for (size_t i = 0; i < size / dataset->width; i++)
+        memcpy((char *)packed + i * bytes, (const char *)structures + i * dataset->stride + dataset->column, bytes);
+}
+
+void pdmc_dataset_scatter(const pdmc_dataset *dataset, size_t size, const void *packed, void *structures)
+{
+    const size_t bytes = dataset->width * pdmc_kind_size(dataset->kind);
+    for (size_t i = 0; i < size / dataset->width; i++)
+        memcpy((char *)structures + i * dataset->stride + dataset->column, (const char *)packed + i * bytes, bytes);
+}
+
+char **pdmc_attribute_text(pdmc_results *results, const pdmc_attribute *attribute)
+{
+    return (char **)((char *)results + attribute->member);
+}

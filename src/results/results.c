@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/base_impl.h"
+#include "results/layout.h"
+
+#include <string.h>
+
+const double pdmc_quantile_levels[PDMC_QUANTILES] = {0.05, 0.50, 0.95};
+
+const char *const pdmc_measure_names[PDMC_MEASURES] = {
+    [PDMC_MEASURE_BOND] = "bond_energy",
+    [PDMC_MEASURE_GRIFFITH] = "griffith_energy",
+};
+
+void pdmc_results_clear(pdmc_results *results)
+{
+    for (size_t i = 0; i < pdmc_dataset_count; i++) {
+        const pdmc_dataset *dataset = &pdmc_datasets[i];
+        if (dataset->stride == 0) continue;
+        pdmc_free(pdmc_dataset_memory(results, dataset));
+        pdmc_dataset_set_memory(results, dataset, NULL); // several columns share an array
+    }
+    for (size_t i = 0; i < pdmc_attribute_count; i++)
+        if (pdmc_attributes[i].kind == PDMC_ATTRIBUTE_TEXT) pdmc_free(*pdmc_attribute_text(results, &pdmc_attributes[i]));
+    pdmc_free(results->pdmc_version);
+    *results = (pdmc_results){0};
+}
+
+void pdmc_results_unit(const pdmc_results *results, pdmc_unit unit, size_t size, char text[])
+{
+    // F stands for the unit of force, L for that of length.
+    static const char *const patterns[] = {
+        [PDMC_UNIT_NONE] = "1",       [PDMC_UNIT_ANGLE] = "rad",
+        [PDMC_UNIT_TIME] = "s",       [PDMC_UNIT_LENGTH] = "L",
+        [PDMC_UNIT_STRESS] = "F/L^2", [PDMC_UNIT_STRESS_INTENSITY] = "F/L^(3/2)",
+        [PDMC_UNIT_ENERGY] = "F/L",   [PDMC_UNIT_DENSITY] = "L/F",
+    };
+    size_t used = 0;
+    for (const char *p = patterns[unit]; *p; p++) {
+        const char one[2] = {*p, '\0'};
+        const char *piece = *p == 'F' ? results->force_unit : *p == 'L' ? results->length_unit : one;
+        for (; piece && *piece && used + 1 < size; piece++) text[used++] = *piece;
+    }
+    if (size > 0) text[used] = '\0';
+}
+
+static pdmc_status check_counts(const pdmc_results *results, pdmc_status code)
+{
+    for (size_t i = 0; i < pdmc_dataset_count; i++)
+        for (const pdmc_dimension *axis = pdmc_datasets[i].axes; *axis != PDMC_DIM_END; axis++) {
+            int more;
+            const int *count = pdmc_dimension_field((pdmc_results *)results, *axis, &more);
+            if (count && *count < 0)
+                return pdmc_raise(code, "%s: the axis \"%s\" counts %d", pdmc_datasets[i].path,
+                                  pdmc_dimension_label(*axis), *count);
+        }
+    return PDMC_OK;
+}
+
+static pdmc_status check_arrays(const pdmc_results *results, pdmc_status code)
+{
+    for (size_t i = 0; i < pdmc_dataset_count; i++)
+        if (pdmc_dataset_size(results, &pdmc_datasets[i]) > 0 && !pdmc_dataset_memory(results, &pdmc_datasets[i]))
+            return pdmc_raise(code, "%s: the array is missing", pdmc_datasets[i].path);
+    return PDMC_OK;
+}
+
+static pdmc_status check_choices(const pdmc_results *results, pdmc_status code)
+{
+    for (size_t i = 0; i < pdmc_attribute_count; i++) {
+        const pdmc_attribute *attribute = &pdmc_attributes[i];
+        if (attribute->kind != PDMC_ATTRIBUTE_CHOICE) continue;
+        int choice;
+        memcpy(&choice, (const char *)results + attribute->member, sizeof choice);
+        if (choice < 0 || choice >= attribute->choice_count)
+            return pdmc_raise(code, "%s = %d is none of the %d known", attribute->name, choice,
+                              attribute->choice_count);
+    }
+    return PDMC_OK;
+}
+
+static pdmc_status check_failures(const pdmc_results *results, pdmc_status code)
+{
+    int failed = 0;
+    for (int i = 0; i < results->sample_count; i++) {
+        if (results->failure[i] > PDMC_SAMPLE_SOFT)
+            return pdmc_raise(code, "sample %d: unknown reason of failure %d", i, results->failure[i]);
+        failed += results->failure[i] != PDMC_SAMPLE_OK;
+    }
+    if (failed != results->failed_count)
+        return pdmc_raise(code, "%d samples are marked as failed, but %d are counted", failed, results->failed_count);
+    return PDMC_OK;
+}
+
+static pdmc_status check_names(const pdmc_results *results, pdmc_status code)
+{
+    for (int i = 0; i < results->tip_count; i++)
+        if (!memchr(results->tips[i].name, '\0', sizeof results->tips[i].name))
+            return pdmc_raise(code, "the name of tip %d has no end", i);
+    return PDMC_OK;
+}
+
+pdmc_status pdmc_results_check(const pdmc_results *results, pdmc_status code)
+{
+    pdmc_status (*const checks[])(const pdmc_results *, pdmc_status) = {check_counts, check_arrays, check_choices,
+                                                                        check_failures, check_names};
+    for (size_t i = 0; i < sizeof checks / sizeof checks[0]; i++) {
+        const pdmc_status status = checks[i](results, code);
+        if (status != PDMC_OK) return status;
+    }
+    return PDMC_OK;
+}

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/base_impl.h"
+#include "results/h5.h"
+#include "results/identity.h"
+#include "results/whole_file.h"
+
+#include <string.h>
+
+static pdmc_status describe(hid_t object, const pdmc_results *results, const pdmc_dataset *dataset)
+{
+    pdmc_status status = PDMC_OK;
+    char unit[PDMC_UNIT_SIZE];
+    const char *labels[PDMC_MAX_RANK];
+    const size_t rank = pdmc_dataset_rank(dataset);
+    for (size_t i = 0; i < rank; i++) labels[i] = pdmc_dimension_label(dataset->axes[i]);
+    pdmc_results_unit(results, dataset->unit, sizeof unit, unit);
+    PDMC_TRY(pdmc_h5_write_text(object, "units", unit));
+    PDMC_TRY(pdmc_h5_write_text(object, "description", dataset->description));
+    // The name under which HDF5's own dimension scales keep the labels, so that its tools show them.
+    if (rank > 0) PDMC_TRY(pdmc_h5_write_texts(object, "DIMENSION_LABELS", rank, labels));
+
+done:
+    return status;
+}
+
+/// Creates a dataset with the folders on its path, without the times that would make equal files differ.
+static hid_t create_dataset(hid_t file, const pdmc_results *results, const pdmc_dataset *dataset, hid_t type)
+{
+    hsize_t extents[PDMC_MAX_RANK];
+    const size_t rank = pdmc_dataset_rank(dataset);
+    for (size_t i = 0; i < rank; i++) extents[i] = pdmc_dimension_size(results, dataset->axes[i]);
+    const hid_t space = rank > 0 ? H5Screate_simple((int)rank, extents, NULL) : H5Screate(H5S_SCALAR);
+    const hid_t links = H5Pcreate(H5P_LINK_CREATE), creation = H5Pcreate(H5P_DATASET_CREATE);
+    hid_t object = H5I_INVALID_HID;
+    if (space >= 0 && H5Pset_create_intermediate_group(links, 1) >= 0 && H5Pset_obj_track_times(creation, 0) >= 0)
+        object = H5Dcreate2(file, dataset->path, type, space, links, creation, H5P_DEFAULT);
+    pdmc_h5_close(creation);
+    pdmc_h5_close(links);
+    pdmc_h5_close(space);
+    return object;
+}
+
+static pdmc_status write_numbers(hid_t object, const pdmc_results *results, const pdmc_dataset *dataset)
+{
+    pdmc_status status = PDMC_OK;
+    void *packed = NULL;
+    const void *numbers = pdmc_dataset_memory(results, dataset);
+    const size_t size = pdmc_dataset_size(results, dataset);
+    const hid_t type = pdmc_h5_memory_type(dataset->kind);
+    PDMC_H5_TRY(type, PDMC_ERR_IO, dataset->path);
+    if (size > 0 && !pdmc_dataset_is_packed(dataset)) {
+        packed = pdmc_calloc(size, pdmc_kind_size(dataset->kind));
+        if (!packed) {
+            status = PDMC_ERR_NOMEM;
+            goto done;
+        }
+        pdmc_dataset_gather(dataset, size, numbers, packed);
+        numbers = packed;
+    }
+    if (size > 0) PDMC_H5_TRY(H5Dwrite(object, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers), PDMC_ERR_IO, dataset->path);
+
+done:
+    pdmc_h5_close(type);
+    pdmc_free(packed);
+    return status;
+}
+
+static pdmc_status write_dataset(hid_t file, const pdmc_results *results, const pdmc_dataset *dataset)
+{
+    pdmc_status status = PDMC_OK;
+    hid_t object = H5I_INVALID_HID;
+    const hid_t type = pdmc_h5_file_type(dataset->kind);
+    PDMC_H5_TRY(type, PDMC_ERR_IO, dataset->path);
+    PDMC_H5_TRY(object = create_dataset(file, results, dataset, type), PDMC_ERR_IO, dataset->path);
+    PDMC_TRY(write_numbers(object, results, dataset));
+    PDMC_TRY(describe(object, results, dataset));
+
+done:
+    pdmc_h5_close(object);
+    pdmc_h5_close(type);
+    return status;
+}
+
+static pdmc_status write_choice(hid_t object, const pdmc_attribute *attribute, const void *member)
+{
+    int choice;
+    memcpy(&choice, member, sizeof choice);
+    return pdmc_h5_write_text(object, attribute->name, attribute->choices[choice]);
+}
+
+static pdmc_status write_member(hid_t object, const pdmc_results *results, const pdmc_attribute *attribute)
+{
+    const void *member = (const char *)results + attribute->member;
+    const char *name = attribute->name;
+    switch (attribute->kind) {
+    case PDMC_ATTRIBUTE_TEXT: {
+        const char *text = *pdmc_attribute_text((pdmc_results *)results, attribute);
+        return pdmc_h5_write_text(object, name, text ? text : "");
+    }
+    case PDMC_ATTRIBUTE_REAL: return pdmc_h5_write_numbers(object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 0, member);
+    case PDMC_ATTRIBUTE_INT: return pdmc_h5_write_numbers(object, name, H5T_STD_I32LE, H5T_NATIVE_INT, 0, member);
+    case PDMC_ATTRIBUTE_SEED: return pdmc_h5_write_numbers(object, name, H5T_STD_U64LE, H5T_NATIVE_UINT64, 0, member);
+    case PDMC_ATTRIBUTE_CHOICE: return write_choice(object, attribute, member);
+    }
+    return pdmc_raise(PDMC_ERR_ARG, "attribute \"%s\" is of unknown kind", name);
+}
+
+static pdmc_status write_attribute(hid_t file, const pdmc_results *results, const pdmc_attribute *attribute)
+{
+    pdmc_status status = PDMC_OK;
+    const hid_t object = H5Oopen(file, attribute->object, H5P_DEFAULT);
+    PDMC_H5_TRY(object, PDMC_ERR_IO, attribute->object);
+    PDMC_TRY(write_member(object, results, attribute));
+
+done:
+    pdmc_h5_close(object);
+    return status;
+}
+
+static pdmc_status write_everything(hid_t file, const pdmc_results *results)
+{
+    pdmc_status status = PDMC_OK;
+    for (size_t i = 0; i < pdmc_dataset_count; i++) PDMC_TRY(write_dataset(file, results, &pdmc_datasets[i]));
+    for (size_t i = 0; i < pdmc_attribute_count; i++) PDMC_TRY(write_attribute(file, results, &pdmc_attributes[i]));
+    PDMC_TRY(pdmc_identity_write(file, results));
+
+done:
+    return status;
+}
+
+/// A failure of the file system is told by its errno; the rest of HDF5's message is of no use to anybody.
+static pdmc_status blame(pdmc_status status, const char *path)
+{
+    const int error = status == PDMC_ERR_IO ? pdmc_h5_raised_errno() : 0;
+    return error ? pdmc_raise_errno(path, error) : status;
+}
+
+static pdmc_status write_hdf5(const pdmc_results *results, const pdmc_whole_file *whole)
+{
+    pdmc_status status = PDMC_OK;
+    hid_t file = H5I_INVALID_HID;
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+    // Nobody else knows the temporary file, and some network file systems cannot lock.
+    PDMC_H5_TRY(H5Pset_file_locking(access, false, true), PDMC_ERR_EXTERN, whole->path);
+    file = H5Fcreate(whole->temporary, H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    PDMC_H5_TRY(file, PDMC_ERR_IO, whole->path);
+    PDMC_TRY(write_everything(file, results));
+
+done:
+    if (status != PDMC_OK) status = blame(status, whole->path);
+    if (file >= 0 && H5Fclose(file) < 0 && status == PDMC_OK)
+        status = blame(pdmc_h5_raise(PDMC_ERR_IO, whole->path), whole->path);
+    pdmc_h5_close(access);
+    return status;
+}
+
+pdmc_status pdmc_results_write(const pdmc_results *results, const char *path, bool overwrite)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_whole_file whole = {0};
+    pdmc_h5_printing printing;
+    pdmc_h5_silence(&printing);
+    PDMC_TRY(pdmc_results_check(results, PDMC_ERR_ARG));
+    PDMC_TRY(pdmc_whole_file_open(path, overwrite, &whole));
+    PDMC_TRY(write_hdf5(results, &whole));
+    PDMC_TRY(pdmc_whole_file_appear(&whole, overwrite));
+
+done:
+    pdmc_whole_file_discard(&whole);
+    pdmc_h5_restore(&printing);
+    return status;
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Results that no solver computed but that look as if: a square plate with a centre crack in tension, whose load and
+/// micromodulus are random. For tests of what is written, read and shown.
+
+#include "pdmc/results.h"
+
+typedef struct {
+    int cracks;    // 0 to 2; each has two tips
+    int angles;
+    int samples;
+    int failed;    // of the samples; with any, some numbers are NaN and some bounds infinite
+    int radial_bins;
+    int histogram_bins;
+} made_up_size;
+
+extern const made_up_size made_up_small;
+extern const made_up_size made_up_paper; // as large as the study of Evangelatos & Spanos (2011), section 6.3
+
+/// Free with pdmc_results_clear().
+pdmc_results made_up_results(made_up_size size);
