@@ -16,7 +16,7 @@ typedef struct {
 /// Every setting is checked: unknown keys (with the nearest known one), kinds, ranges, and meaning (cracks inside the
 /// plate, a horizon that fits the cracks, a load, tips that exist). The message of a failure is one line,
 /// "file:line: what is wrong, what is allowed".
-/// @param[in]  path   the file; @include lines are relative to its folder
+/// @param[in]  path   the file; an @include line is relative to the file in which it stands
 /// @param[out] study  free with pdmc_study_clear(); zero on failure
 /// @return PDMC_OK, PDMC_ERR_NO_INPUT, PDMC_ERR_CONFIG, or PDMC_ERR_NOMEM
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_study_read(const char *path, pdmc_study *study);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/study_impl.h"
+
+#include <math.h>
+
+double pdmc_study_half_crack(const pdmc_crack *crack)
+{
+    return 0.5 * hypot(crack->to[0] - crack->from[0], crack->to[1] - crack->from[1]);
+}
+
+double pdmc_study_shortest_half_crack(const pdmc_problem *problem)
+{
+    double shortest = INFINITY;
+    for (int i = 0; i < problem->crack_count; i++)
+        shortest = fmin(shortest, pdmc_study_half_crack(&problem->cracks[i]));
+    return shortest;
+}
+
+static double shorter_side(const pdmc_problem *problem)
+{
+    return fmin(problem->plate.width, problem->plate.height);
+}
+
+double pdmc_study_default_spacing(const pdmc_problem *problem)
+{
+    return shorter_side(problem) / 20.0;
+}
+
+double pdmc_study_default_horizon(const pdmc_problem *problem)
+{
+    return fmin(pdmc_study_shortest_half_crack(problem) / 5.0, shorter_side(problem) / 50.0);
+}
+
+double pdmc_study_default_shape(const pdmc_problem *problem)
+{
+    return 6.0 * problem->kansa.spacing;
+}
+
+double pdmc_study_default_energy_horizon(const pdmc_problem *problem)
+{
+    return problem->kansa.horizon;
+}
+
+double pdmc_study_default_extension(const pdmc_problem *problem)
+{
+    return 0.25 * problem->energy.horizon;
+}

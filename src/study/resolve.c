@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The problem back as a study file, every setting written out.
+
+#include "study/study_impl.h"
+
+#include "base/base_impl.h"
+
+#include <string.h>
+
+typedef struct {
+    FILE *out;
+    const pdmc_problem *problem;
+} writer;
+
+typedef void write_function(const writer *w, const pdmc_study_setting *s, const void *field);
+
+static void write_quoted(FILE *out, const char *text)
+{
+    fputc('"', out);
+    for (; *text; text++) fprintf(out, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
+    fputc('"', out);
+}
+
+static void write_real(const writer *w, const pdmc_study_setting *s, const void *field)
+{
+    (void)s;
+    double x;
+    memcpy(&x, field, sizeof x);
+    pdmc_study_print_real(w->out, x);
+}
+
+static void write_pair(const writer *w, const pdmc_study_setting *s, const void *field)
+{
+    fputc('[', w->out);
+    write_real(w, s, field);
+    fputs(", ", w->out);
+    write_real(w, s, (const double *)field + 1);
+    fputc(']', w->out);
+}
+
+static void write_int(const writer *w, const pdmc_study_setting *s, const void *field)
+{
+    (void)s;
+    fprintf(w->out, "%d", *(const int *)field);
+}
+
+static void write_seed(const writer *w, const pdmc_study_setting *s, const void *field)
+{
+    (void)s;
+    fprintf(w->out, "%lluL", (unsigned long long)*(const uint64_t *)field);
+}
+
+static void write_text(const writer *w, const pdmc_study_setting *s, const void *field)
+{
+    (void)s;
+    write_quoted(w->out, *(char *const *)field);
+}
+
+static void write_name(const writer *w, const pdmc_study_setting *s, const void *field)
+{
+    (void)s;
+    write_quoted(w->out, field);
+}
+
+static void write_choice(const writer *w, const pdmc_study_setting *s, const void *field)
+{
+    int choice = 0; // where it is not stored there is only one
+    if (field) memcpy(&choice, field, sizeof choice);
+    write_quoted(w->out, s->choices[choice]);
+}
+
+static void write_tips(const writer *w, const pdmc_study_setting *s, const void *field)
+{
+    (void)s, (void)field;
+    char name[PDMC_STUDY_TIP_NAME_SIZE];
+    fputc('[', w->out);
+    for (int i = 0; i < w->problem->energy.tip_count; i++) {
+        if (i > 0) fputs(", ", w->out);
+        pdmc_study_tip_name(w->problem, w->problem->energy.tips[i], name);
+        write_quoted(w->out, name);
+    }
+    fputc(']', w->out);
+}
+
+static write_function *const writers[KINDS] = {
+    [KIND_REAL] = write_real, [KIND_OPTIONAL] = write_real, [KIND_PAIR] = write_pair,
+    [KIND_INT] = write_int,   [KIND_SEED] = write_seed,     [KIND_TEXT] = write_text,
+    [KIND_NAME] = write_name, [KIND_CHOICE] = write_choice, [KIND_TIPS] = write_tips,
+};
+
+static bool is_present(const pdmc_study_setting *s, const char *base)
+{
+    if (!pdmc_study_setting_belongs(s, base)) return false;
+    return s->kind != KIND_OPTIONAL || *(const bool *)(base + s->flag);
+}
+
+static void write_record(const writer *w, pdmc_study_section_id section, const char *base, const char *indent)
+{
+    for (const pdmc_study_setting *s = pdmc_study_settings; s->key; s++) {
+        if (s->section != section || !is_present(s, base)) continue;
+        fprintf(w->out, "%s%s = ", indent, s->key);
+        writers[s->kind](w, s, s->offset == NOT_STORED ? NULL : base + s->offset);
+        fputc(';', w->out);
+        if (s->unit != UNIT_NONE) fputs(" # ", w->out);
+        pdmc_study_print_unit(w->out, s->unit, w->problem->length_unit, w->problem->force_unit);
+        fputc('\n', w->out);
+    }
+}
+
+static void write_list(const writer *w, pdmc_study_section_id id)
+{
+    const pdmc_study_section *section = &pdmc_study_sections[id];
+    const char *problem = (const char *)w->problem;
+    const char *items;
+    int count;
+    memcpy(&items, problem + section->items, sizeof items);
+    memcpy(&count, problem + section->count, sizeof count);
+    fprintf(w->out, "%s = (", section->name);
+    for (int i = 0; i < count; i++) {
+        fputs(i > 0 ? ", {\n" : "{\n", w->out);
+        write_record(w, id, items + (size_t)i * section->size, "    ");
+        fputc('}', w->out);
+    }
+    fputs(");\n", w->out);
+}
+
+static void write_section(const writer *w, pdmc_study_section_id id)
+{
+    const char *name = pdmc_study_sections[id].name;
+    if (pdmc_study_sections[id].size > 0) {
+        write_list(w, id);
+    } else if (*name) {
+        fprintf(w->out, "%s = {\n", name);
+        write_record(w, id, (const char *)w->problem, "    ");
+        fputs("};\n", w->out);
+    } else {
+        write_record(w, id, (const char *)w->problem, "");
+    }
+}
+
+pdmc_status pdmc_study_resolve(pdmc_study *study)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_study_text text = {0};
+    char *resolved = NULL;
+    PDMC_TRY(pdmc_study_text_open(&text));
+    const writer w = {text.out, &study->problem};
+    for (pdmc_study_section_id id = SECTION_TOP; id < SECTIONS; id++) write_section(&w, id);
+    PDMC_TRY(pdmc_study_text_close(&text));
+    if (!(resolved = pdmc_strdup(text.bytes))) PDMC_FAIL(PDMC_ERR_NOMEM, "out of memory: the resolved study");
+    pdmc_free(study->resolved);
+    study->resolved = resolved;
+done:
+    pdmc_study_text_drop(&text);
+    return status;
+}

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The table of settings. Everything about a setting is said here and nowhere else: it is read, checked, defaulted,
+/// written into the resolved study and described from its line.
+
+#include "study/study_impl.h"
+
+#include <math.h>
+#include <string.h>
+
+#define CHOICES(...) (const char *const[]) { __VA_ARGS__, NULL }
+#define ONLY(quantity) (1U << (quantity))
+#define IN_PROBLEM(field) offsetof(pdmc_problem, field)
+#define LIST(type, field, length)                                                                                      \
+    .size = sizeof(type), .items = offsetof(pdmc_problem, field), .count = offsetof(pdmc_problem, length)
+
+#define ANY {-INFINITY, INFINITY, false}
+#define POSITIVE {0.0, INFINITY, true}
+#define NOT_NEGATIVE {0.0, INFINITY, false}
+
+const pdmc_study_section pdmc_study_sections[SECTIONS] = {
+    [SECTION_TOP] = {.name = "", .doc = "the study as a whole"},
+    [SECTION_UNITS] = {.name = "units", .doc = "of every number in the file, carried to all results"},
+    [SECTION_PLATE] = {.name = "plate", .doc = "the rectangle, its middle at the origin"},
+    [SECTION_MATERIAL] = {.name = "material", .doc = "linear elastic; Poisson's ratio follows from the assumption"},
+    [SECTION_CRACKS] = {.name = "cracks", .doc = "list of straight cracks inside the plate; tips are <name>.from, .to",
+                        LIST(pdmc_crack, cracks, crack_count), .check = pdmc_study_check_cracks},
+    [SECTION_LOADS] = {.name = "loads", .doc = "list of tractions on whole sides",
+                       LIST(pdmc_load, loads, load_count)},
+    [SECTION_SUPPORTS] = {.name = "supports", .doc = "list of sides with prescribed displacements",
+                          LIST(pdmc_support, supports, support_count), .check = pdmc_study_check_loads},
+    [SECTION_SOLVER] = {.name = "solver", .doc = "how the field is computed", .check = pdmc_study_check_solver},
+    [SECTION_RANDOM] = {.name = "random", .doc = "list of uncertain quantities; without it the study is deterministic",
+                        LIST(pdmc_uncertainty, uncertainties, uncertainty_count), .check = pdmc_study_check_random},
+    [SECTION_SAMPLING] = {.name = "sampling", .doc = "the Monte Carlo simulation"},
+    [SECTION_ENERGY] = {.name = "energy", .doc = "the energy release rates that are asked for",
+                        .check = pdmc_study_check_energy},
+};
+
+// In the order of the enumerations in pdmc/problem.h.
+#define ASSUMPTIONS CHOICES("plane_stress", "plane_strain")
+#define SIDES CHOICES("left", "right", "bottom", "top")
+#define QUANTITIES CHOICES("micromodulus", "load")
+#define DISTRIBUTIONS CHOICES("normal", "lognormal")
+#define INVERSES CHOICES("direct", "neumann")
+#define BONDS CHOICES("all", "tensile")
+#define MEASURES CHOICES("bond", "griffith")
+
+const pdmc_study_setting pdmc_study_settings[] = {
+    {SECTION_TOP, "title", KIND_TEXT, .offset = IN_PROBLEM(title), .fallback = "untitled",
+     .doc = "what the study is about, for headings"},
+    {SECTION_TOP, "seed", KIND_SEED, .range = NOT_NEGATIVE, .offset = IN_PROBLEM(sampling.seed), .fallback = "1",
+     .doc = "of the random numbers; the same seed gives the same samples"},
+
+    {SECTION_UNITS, "length", KIND_TEXT, .offset = IN_PROBLEM(length_unit), .fallback = "m", .doc = "name of the unit"},
+    {SECTION_UNITS, "force", KIND_TEXT, .offset = IN_PROBLEM(force_unit), .fallback = "N", .doc = "name of the unit"},
+
+    {SECTION_PLATE, "width", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(plate.width), .doc = "extent in x"},
+    {SECTION_PLATE, "height", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(plate.height), .doc = "extent in y"},
+    {SECTION_PLATE, "thickness", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(plate.thickness), .fallback = "1.0",
+     .doc = "extent out of the plane"},
+
+    {SECTION_MATERIAL, "youngs_modulus", KIND_REAL, UNIT_STRESS, POSITIVE, IN_PROBLEM(material.youngs_modulus),
+     .doc = "Young's modulus E"},
+    {SECTION_MATERIAL, "assumption", KIND_CHOICE, .offset = IN_PROBLEM(material.assumption), .choices = ASSUMPTIONS,
+     .fallback = "plane_stress", .doc = "Poisson's ratio is 1/3 in plane stress, 1/4 in plane strain"},
+    {SECTION_MATERIAL, "fracture_energy", KIND_REAL, UNIT_LINE_FORCE, POSITIVE, IN_PROBLEM(material.fracture_energy),
+     .doc = "critical energy release rate G_c"},
+
+    {SECTION_CRACKS, "name", KIND_NAME, .offset = offsetof(pdmc_crack, name), .fallback = "crack1, crack2, ...",
+     .doc = "each name once"},
+    {SECTION_CRACKS, "from", KIND_PAIR, UNIT_LENGTH, ANY, offsetof(pdmc_crack, from), .doc = "one tip, [x, y]"},
+    {SECTION_CRACKS, "to", KIND_PAIR, UNIT_LENGTH, ANY, offsetof(pdmc_crack, to), .doc = "the other tip, [x, y]"},
+
+    {SECTION_LOADS, "side", KIND_CHOICE, .offset = offsetof(pdmc_load, side), .choices = SIDES,
+     .doc = "each side once"},
+    {SECTION_LOADS, "traction", KIND_PAIR, UNIT_STRESS, ANY, offsetof(pdmc_load, traction),
+     .doc = "force on an area of the side, [x, y]"},
+
+    {SECTION_SUPPORTS, "side", KIND_CHOICE, .offset = offsetof(pdmc_support, side), .choices = SIDES,
+     .doc = "each component of a side once"},
+    {SECTION_SUPPORTS, "x", KIND_OPTIONAL, UNIT_LENGTH, ANY, offsetof(pdmc_support, displacement[0]),
+     .flag = offsetof(pdmc_support, held[0]), .fallback = "free", .doc = "prescribed displacement in x"},
+    {SECTION_SUPPORTS, "y", KIND_OPTIONAL, UNIT_LENGTH, ANY, offsetof(pdmc_support, displacement[1]),
+     .flag = offsetof(pdmc_support, held[1]), .fallback = "free", .doc = "prescribed displacement in y"},
+
+    {SECTION_SOLVER, "method", KIND_CHOICE, .offset = NOT_STORED, .choices = CHOICES("kansa"),
+     .planned = CHOICES("bond"), .fallback = "kansa", .doc = "least-squares collocation"},
+    {SECTION_SOLVER, "crack_model", KIND_CHOICE, .offset = NOT_STORED, .choices = CHOICES("analytic"),
+     .planned = CHOICES("paper", "visible"), .fallback = "analytic", .doc = "analytic crack fields, the local limit"},
+    {SECTION_SOLVER, "spacing", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(kansa.spacing),
+     .derive = pdmc_study_default_spacing, .fallback = "min(width, height) / 20",
+     .doc = "h of the collocation nodes; unknowns grow as 1/h^2, cost as 1/h^6"},
+    {SECTION_SOLVER, "horizon", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(kansa.horizon),
+     .derive = pdmc_study_default_horizon, .fallback = "min(a / 5, width / 50, height / 50)",
+     .doc = "length of the longest bond; a: half of the shortest crack"},
+    {SECTION_SOLVER, "shape", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(kansa.shape),
+     .derive = pdmc_study_default_shape, .fallback = "6 spacing", .doc = "psi of the inverse multiquadric"},
+    {SECTION_SOLVER, "polynomial_degree", KIND_INT, .range = {0, 6}, .offset = IN_PROBLEM(kansa.polynomial_degree),
+     .fallback = "3", .doc = "of the appended monomials"},
+    {SECTION_SOLVER, "crack_orders", KIND_INT, .range = {1, 20}, .offset = IN_PROBLEM(kansa.crack_orders),
+     .fallback = "6", .doc = "orders of the analytic crack fields"},
+    {SECTION_SOLVER, "radial_points", KIND_INT, .range = {3, 12}, .offset = IN_PROBLEM(kansa.radial_points),
+     .fallback = "6", .doc = "rings on which the operator is sampled for a random c(r)"},
+
+    {SECTION_RANDOM, "quantity", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, quantity), .choices = QUANTITIES,
+     .doc = "what is uncertain, each quantity once"},
+    {SECTION_RANDOM, "model", KIND_CHOICE, .offset = NOT_STORED, .choices = CHOICES("radial_noise"),
+     .quantities = ONLY(PDMC_QUANTITY_MICROMODULUS), .fallback = "radial_noise",
+     .doc = "independent normal c(r) in each bin of [0, horizon]"},
+    {SECTION_RANDOM, "bins", KIND_INT, .range = {1, 10000}, .offset = offsetof(pdmc_uncertainty, bins),
+     .quantities = ONLY(PDMC_QUANTITY_MICROMODULUS), .fallback = "100",
+     .doc = "a physical input: the scatter of the effective modulus falls as 1/sqrt(bins)"},
+    {SECTION_RANDOM, "distribution", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, distribution),
+     .choices = DISTRIBUTIONS, .quantities = ONLY(PDMC_QUANTITY_LOAD), .fallback = "normal",
+     .doc = "of the one factor of mean 1 on all tractions"},
+    {SECTION_RANDOM, "variation", KIND_REAL, .range = NOT_NEGATIVE, .offset = offsetof(pdmc_uncertainty, variation),
+     .fallback = "0.20", .doc = "coefficient of variation"},
+
+    {SECTION_SAMPLING, "samples", KIND_INT, .range = {1, 100000000}, .offset = IN_PROBLEM(sampling.samples),
+     .fallback = "1000", .doc = "a smaller number is a prefix of a larger one"},
+    {SECTION_SAMPLING, "inverse", KIND_CHOICE, .offset = IN_PROBLEM(sampling.inverse), .choices = INVERSES,
+     .fallback = "neumann", .doc = "how each sample is solved"},
+    {SECTION_SAMPLING, "order", KIND_INT, .range = {0, 8}, .offset = IN_PROBLEM(sampling.order), .fallback = "4",
+     .doc = "of the Neumann expansion"},
+
+    {SECTION_ENERGY, "tips", KIND_TIPS, .offset = NOT_STORED, .fallback = "all tips",
+     .doc = "[\"<crack>.from\", \"<crack>.to\", ...]"},
+    {SECTION_ENERGY, "angles", KIND_INT, .range = {4, 3600}, .offset = IN_PROBLEM(energy.angles), .fallback = "72",
+     .doc = "directions phi_k = 2 pi k / angles"},
+    {SECTION_ENERGY, "horizon", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(energy.horizon),
+     .derive = pdmc_study_default_energy_horizon, .fallback = "solver.horizon",
+     .doc = "longest bond that is counted"},
+    {SECTION_ENERGY, "extension", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(energy.extension),
+     .derive = pdmc_study_default_extension, .fallback = "0.25 energy.horizon",
+     .doc = "distance from the tip to the point where bonds cross"},
+    {SECTION_ENERGY, "bonds", KIND_CHOICE, .offset = IN_PROBLEM(energy.bonds), .choices = BONDS, .fallback = "all",
+     .doc = "whether bonds in compression count"},
+    {SECTION_ENERGY, "measure", KIND_CHOICE, .offset = IN_PROBLEM(energy.measure), .choices = MEASURES,
+     .fallback = "griffith", .doc = "what P(G > G_c) and the direction are computed from"},
+    {.key = NULL},
+};
+
+// A choice is stored as an int.
+_Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == sizeof(int) &&
+                   sizeof(pdmc_quantity) == sizeof(int) && sizeof(pdmc_distribution_kind) == sizeof(int) &&
+                   sizeof(pdmc_inverse) == sizeof(int) && sizeof(pdmc_bonds) == sizeof(int) &&
+                   sizeof(pdmc_measure) == sizeof(int),
+               "enumerations of another size");
+
+bool pdmc_study_setting_belongs(const pdmc_study_setting *setting, const void *base)
+{
+    if (setting->quantities == 0) return true;
+    const pdmc_uncertainty *uncertainty = base;
+    return setting->quantities & ONLY(uncertainty->quantity);
+}
+
+void pdmc_study_print_unit(FILE *out, pdmc_study_unit unit, const char *length, const char *force)
+{
+    switch (unit) {
+    case UNIT_NONE: break;
+    case UNIT_LENGTH: fputs(length, out); break;
+    case UNIT_STRESS: fprintf(out, "%s/%s^2", force, length); break;
+    case UNIT_LINE_FORCE: fprintf(out, "%s/%s", force, length); break;
+    }
+}
+
+static void print_choices(FILE *out, const char *const choices[])
+{
+    for (int i = 0; choices[i]; i++) {
+        if (i > 0) fputs(choices[i + 1] ? ", " : " or ", out);
+        fprintf(out, "\"%s\"", choices[i]);
+    }
+}
+
+void pdmc_study_print_range(FILE *out, const pdmc_study_setting *setting)
+{
+    const pdmc_study_range *range = &setting->range;
+    if (setting->kind == KIND_CHOICE) print_choices(out, setting->choices);
+    else if (setting->kind == KIND_TEXT) fputs("a text, not empty and without control characters", out);
+    else if (setting->kind == KIND_NAME) fprintf(out, "a text of 1 to %d letters, digits, _ or -", PDMC_NAME_SIZE - 1);
+    else if (setting->kind == KIND_TIPS) fputs("an array of names of tips", out);
+    else if (!isfinite(range->low)) fputs("finite", out);
+    else if (!isfinite(range->high)) fprintf(out, "%s %.15g", range->excluded ? ">" : ">=", range->low);
+    else fprintf(out, "from %.15g to %.15g", range->low, range->high);
+}
+
+const char *pdmc_study_kind_noun(pdmc_study_kind kind)
+{
+    static const char *const nouns[KINDS] = {
+        [KIND_REAL] = "a real", [KIND_OPTIONAL] = "a real that is", [KIND_PAIR] = "two reals [x, y], each",
+        [KIND_INT] = "an integer", [KIND_SEED] = "an integer",
+    };
+    return nouns[kind] ? nouns[kind] : "";
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/study_impl.h"
+
+#include "base/base_impl.h"
+
+#include <string.h>
+
+static pdmc_status parse_text(const pdmc_study_source *source, config_t *config)
+{
+    if (config_read_string(config, source->text.bytes)) return PDMC_OK;
+    int line;
+    const char *file = pdmc_study_source_place(source, (unsigned)config_error_line(config), &line);
+    const char *text = config_error_text(config);
+    const bool mixed = strstr(text, "mismatched element type") != NULL;
+    return pdmc_raise(PDMC_ERR_CONFIG, "%s:%d: %s%s", file, line, text,
+                      mixed ? ": the elements must be alike, all with a decimal point or all without" : "");
+}
+
+static pdmc_status read_problem(const pdmc_study_source *source, FILE *warnings, pdmc_problem *problem)
+{
+    config_t config;
+    config_init(&config);
+    pdmc_status status = parse_text(source, &config);
+    if (status == PDMC_OK)
+        status = pdmc_study_parse(&(pdmc_study_reader){source, config_root_setting(&config), problem, warnings});
+    config_destroy(&config);
+    return status;
+}
+
+static pdmc_status copy_text(const pdmc_study_text *text, char **copy)
+{
+    *copy = pdmc_strdup(text->bytes);
+    return *copy ? PDMC_OK : PDMC_ERR_NOMEM;
+}
+
+pdmc_status pdmc_study_read(const char *path, pdmc_study *study)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_study_source source = {0};
+    pdmc_study_text warnings = {0};
+    *study = (pdmc_study){0};
+    PDMC_TRY(pdmc_study_source_read(path, &source));
+    PDMC_TRY(pdmc_study_text_open(&warnings));
+    PDMC_TRY(read_problem(&source, warnings.out, &study->problem));
+    PDMC_TRY(pdmc_study_text_close(&warnings));
+    PDMC_TRY(copy_text(&source.input, &study->input));
+    PDMC_TRY(copy_text(&warnings, &study->warnings));
+    PDMC_TRY(pdmc_study_resolve(study));
+done:
+    if (status != PDMC_OK) pdmc_study_clear(study);
+    pdmc_study_text_drop(&warnings);
+    pdmc_study_source_drop(&source);
+    return status;
+}
+
+void pdmc_study_clear(pdmc_study *study)
+{
+    pdmc_problem_clear(&study->problem);
+    pdmc_free(study->input);
+    pdmc_free(study->resolved);
+    pdmc_free(study->warnings);
+    *study = (pdmc_study){0};
+}

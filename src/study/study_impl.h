@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// What the files of this folder share: the table of settings, the reader that follows it, and the places of errors.
+
+#include "pdmc/study.h"
+
+#include <libconfig.h>
+#include <stdio.h>
+
+// ---- text that grows (text.c) ----
+
+typedef struct {
+    FILE *out;   // write here; NULL when closed
+    char *bytes; // valid once closed
+    size_t size;
+} pdmc_study_text;
+
+PDMC_NODISCARD pdmc_status pdmc_study_text_open(pdmc_study_text *text);
+/// Ends the writing; PDMC_ERR_NOMEM if any of it was lost.
+PDMC_NODISCARD pdmc_status pdmc_study_text_close(pdmc_study_text *text);
+/// Frees the bytes, open or closed; a zeroed text is allowed.
+void pdmc_study_text_drop(pdmc_study_text *text);
+
+/// The shortest decimals that read back to the same number, always recognisable as a real.
+void pdmc_study_print_real(FILE *out, double x);
+
+// ---- the file (source.c) ----
+
+/// A study file as one text for libconfig: its @include lines replaced by the files, and where each line came from.
+typedef struct {
+    pdmc_study_text input; // the top file, untouched
+    pdmc_study_text text;  // for libconfig
+    pdmc_study_text names; // of the files, each ended by a zero
+    pdmc_study_text lines; // an array of pdmc_study_origin, one for each line of `text`
+} pdmc_study_source;
+
+typedef struct {
+    size_t name; // offset in `names`
+    int line;
+} pdmc_study_origin;
+
+PDMC_NODISCARD pdmc_status pdmc_study_source_read(const char *path, pdmc_study_source *source);
+void pdmc_study_source_drop(pdmc_study_source *source);
+/// The file and line from which line `line` of the text came, counted from 1.
+const char *pdmc_study_source_place(const pdmc_study_source *source, unsigned line, int *file_line);
+
+// ---- the table (schema.c) ----
+
+typedef enum {
+    SECTION_TOP,
+    SECTION_UNITS,
+    SECTION_PLATE,
+    SECTION_MATERIAL,
+    SECTION_CRACKS,
+    SECTION_LOADS,
+    SECTION_SUPPORTS,
+    SECTION_SOLVER,
+    SECTION_RANDOM,
+    SECTION_SAMPLING,
+    SECTION_ENERGY,
+    SECTIONS
+} pdmc_study_section_id;
+
+typedef enum {
+    KIND_REAL,
+    KIND_OPTIONAL, // a real that may be absent
+    KIND_PAIR,     // two reals
+    KIND_INT,
+    KIND_SEED, // a 64-bit integer
+    KIND_TEXT,
+    KIND_NAME, // of a crack
+    KIND_CHOICE,
+    KIND_TIPS, // names of crack tips
+    KINDS
+} pdmc_study_kind;
+
+typedef enum { UNIT_NONE, UNIT_LENGTH, UNIT_STRESS, UNIT_LINE_FORCE } pdmc_study_unit;
+
+/// low <= x <= high, or low < x where the bound is excluded.
+typedef struct {
+    double low, high;
+    bool excluded; // low itself
+} pdmc_study_range;
+
+typedef struct {
+    pdmc_study_section_id section;
+    const char *key;
+    pdmc_study_kind kind;
+    pdmc_study_unit unit;
+    pdmc_study_range range;
+    size_t offset; // in the problem, or in the element of a list; NOT_STORED where there is only one choice so far
+    size_t flag;   // of an optional real: the bool that says it is there
+    const char *const *choices; // ended by NULL, in the order of the enum
+    const char *const *planned; // choices that are known, and not available yet; may be NULL
+    unsigned quantities;        // the uncertain quantities the key belongs to, as bits; 0 for all
+    const char *fallback;       // as it would be written in the file; NULL where the setting is required
+    double (*derive)(const pdmc_problem *problem); // the default that depends on other settings; fallback describes it
+    const char *doc;
+} pdmc_study_setting;
+
+#define NOT_STORED SIZE_MAX
+
+typedef struct pdmc_study_reader pdmc_study_reader;
+
+typedef struct {
+    const char *name; // "" for the top of the file
+    const char *doc;
+    size_t size;         // of an element, for a list of groups; 0 for a single group
+    size_t items, count; // offsets in the problem of a list's pointer and length
+    pdmc_status (*check)(const pdmc_study_reader *reader); // what the values mean together; may be NULL
+} pdmc_study_section;
+
+extern const pdmc_study_section pdmc_study_sections[SECTIONS];
+extern const pdmc_study_setting pdmc_study_settings[]; // by section, in the order of reading; ended by key = NULL
+
+/// Whether the key belongs to the record at `base` (the quantities of an uncertainty have different keys).
+bool pdmc_study_setting_belongs(const pdmc_study_setting *setting, const void *base);
+void pdmc_study_print_unit(FILE *out, pdmc_study_unit unit, const char *length, const char *force);
+/// What values are allowed: "> 0", "from 1 to 20", "\"left\" or \"right\"".
+void pdmc_study_print_range(FILE *out, const pdmc_study_setting *setting);
+/// What to say before the range where the kind is wrong: "a real", "an integer"; "" where the range says it.
+const char *pdmc_study_kind_noun(pdmc_study_kind kind);
+
+// ---- defaults that depend on other settings (defaults.c) ----
+
+/// Half the length of the shortest crack; infinite without cracks.
+double pdmc_study_shortest_half_crack(const pdmc_problem *problem);
+double pdmc_study_half_crack(const pdmc_crack *crack);
+double pdmc_study_default_spacing(const pdmc_problem *problem);
+double pdmc_study_default_horizon(const pdmc_problem *problem);
+double pdmc_study_default_shape(const pdmc_problem *problem);
+double pdmc_study_default_energy_horizon(const pdmc_problem *problem);
+double pdmc_study_default_extension(const pdmc_problem *problem);
+
+// ---- reading (report.c, parse.c, tips.c, study.c) ----
+
+struct pdmc_study_reader {
+    const pdmc_study_source *source;
+    const config_setting_t *root;
+    pdmc_problem *problem; // filled section by section
+    FILE *warnings;
+};
+
+/// Where in the file something is: a setting, a group (key = NULL), an element of a list or the list itself (index < 0).
+typedef struct {
+    pdmc_study_section_id section;
+    int index;
+    const char *key;
+} pdmc_study_address;
+
+/// The setting there, or the innermost of the things around it that the file does have.
+const config_setting_t *pdmc_study_locate(const pdmc_study_reader *reader, pdmc_study_address address);
+/// Raises PDMC_ERR_CONFIG with "file:line: path: " before the message.
+pdmc_status pdmc_study_refuse(const pdmc_study_reader *reader, pdmc_study_address address, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+void pdmc_study_warn(const pdmc_study_reader *reader, pdmc_study_address address, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/// Reads and checks every section into reader->problem.
+PDMC_NODISCARD pdmc_status pdmc_study_parse(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_parse_tips(const pdmc_study_reader *reader, pdmc_study_address address,
+                                                 const config_setting_t *value);
+
+enum { PDMC_STUDY_TIP_NAME_SIZE = PDMC_NAME_SIZE + 8 };
+/// "<crack>.from" or "<crack>.to".
+void pdmc_study_tip_name(const pdmc_problem *problem, int tip, char name[PDMC_STUDY_TIP_NAME_SIZE]);
+
+// ---- did you mean (nearest.c) ----
+
+enum { PDMC_STUDY_WORD_SIZE = PDMC_STUDY_TIP_NAME_SIZE };
+
+typedef struct {
+    const char *word; // as it was written
+    char best[PDMC_STUDY_WORD_SIZE];
+    size_t distance; // of the best; a candidate must beat it
+} pdmc_study_nearest;
+
+/// Begins a search; `word` must outlive it.
+pdmc_study_nearest pdmc_study_nearest_to(const char *word);
+/// Keeps the candidate if it is nearer than all before; `best` stays "" while none is near enough.
+void pdmc_study_nearest_offer(pdmc_study_nearest *nearest, const char *candidate);
+
+// ---- what values mean together (check_*.c) ----
+
+/// A bound that was computed is compared with a value that was written in decimals.
+static inline double pdmc_study_with_rounding(double bound)
+{
+    return bound * (1.0 + 1e-9);
+}
+
+PDMC_NODISCARD pdmc_status pdmc_study_check_cracks(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_loads(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_solver(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_random(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_energy(const pdmc_study_reader *reader);
