@@ -107,12 +107,12 @@ done:
     return status;
 }
 
-pdmc_status pdmc_h5_write_texts(hid_t object, const char *name, size_t count, const char *const texts[])
+pdmc_status pdmc_h5_write_labels(hid_t object, const char *name, size_t count, const char *const labels[])
 {
     pdmc_status status = PDMC_OK;
     const hid_t type = text_type(H5T_VARIABLE);
     PDMC_H5_TRY(type, PDMC_ERR_IO, name);
-    PDMC_TRY(pdmc_h5_write_numbers(object, name, type, type, count, texts));
+    PDMC_TRY(pdmc_h5_write_numbers(object, name, type, type, count, labels));
 
 done:
     pdmc_h5_close(type);
@@ -121,7 +121,32 @@ done:
 
 pdmc_status pdmc_h5_write_text(hid_t object, const char *name, const char *text)
 {
-    return pdmc_h5_write_texts(object, name, 0, &text);
+    pdmc_status status = PDMC_OK;
+    const hid_t type = text_type(strlen(text) + 1);
+    PDMC_H5_TRY(type, PDMC_ERR_IO, name);
+    PDMC_TRY(pdmc_h5_write_numbers(object, name, type, type, 0, text));
+
+done:
+    pdmc_h5_close(type);
+    return status;
+}
+
+pdmc_status pdmc_h5_write_document(hid_t group, const char *name, const char *text)
+{
+    pdmc_status status = PDMC_OK;
+    hid_t dataset = H5I_INVALID_HID;
+    const hid_t type = text_type(strlen(text) + 1), space = H5Screate(H5S_SCALAR), creation = H5Pcreate(H5P_DATASET_CREATE);
+    PDMC_H5_TRY(H5Pset_obj_track_times(creation, false), PDMC_ERR_IO, name);
+    dataset = H5Dcreate2(group, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+    PDMC_H5_TRY(dataset, PDMC_ERR_IO, name);
+    PDMC_H5_TRY(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text), PDMC_ERR_IO, name);
+
+done:
+    pdmc_h5_close(dataset);
+    pdmc_h5_close(creation);
+    pdmc_h5_close(space);
+    pdmc_h5_close(type);
+    return status;
 }
 
 /// Opens an attribute of exactly `count` elements.
@@ -149,29 +174,22 @@ done:
     return status;
 }
 
-/// The type is the file's own, as HDF5 does not convert between character sets.
-static pdmc_status read_fixed_text(hid_t attribute, const char *name, hid_t type, char **text)
+/// Memory for a text of this type. Texts of variable length are not ours, and lie where HDF5 1.10 crashes on damage.
+static pdmc_status allocate_text(hid_t type, const char *name, char **text)
 {
-    pdmc_status status = PDMC_OK;
-    PDMC_NEW(*text, H5Tget_size(type) + 1);
-    PDMC_H5_TRY(H5Aread(attribute, type, *text), PDMC_ERR_DATA, name);
-
-done:
-    return status;
+    if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0)
+        return pdmc_raise(PDMC_ERR_DATA, "\"%s\" is not a text of fixed length", name);
+    *text = pdmc_calloc(H5Tget_size(type) + 1, 1);
+    return *text ? PDMC_OK : PDMC_ERR_NOMEM;
 }
 
-static pdmc_status read_variable_text(hid_t attribute, const char *name, hid_t type, char **text)
+static void forget_text(char **text)
 {
-    pdmc_status status = PDMC_OK;
-    char *theirs = NULL;
-    PDMC_H5_TRY(H5Aread(attribute, type, &theirs), PDMC_ERR_DATA, name);
-    *text = pdmc_strdup(theirs ? theirs : "");
-    if (!*text) status = PDMC_ERR_NOMEM;
-
-done:
-    if (theirs) H5free_memory(theirs);
-    return status;
+    pdmc_free(*text);
+    *text = NULL;
 }
+
+// The type in memory is the file's own, as HDF5 does not convert between character sets.
 
 pdmc_status pdmc_h5_read_text(hid_t object, const char *name, char **text)
 {
@@ -180,15 +198,33 @@ pdmc_status pdmc_h5_read_text(hid_t object, const char *name, char **text)
     *text = NULL;
     PDMC_TRY(open_attribute(object, name, 1, &attribute));
     PDMC_H5_TRY(type = H5Aget_type(attribute), PDMC_ERR_DATA, name);
-    if (H5Tget_class(type) != H5T_STRING) PDMC_FAIL(PDMC_ERR_DATA, "attribute \"%s\" is not a text", name);
-    PDMC_TRY((H5Tis_variable_str(type) > 0 ? read_variable_text : read_fixed_text)(attribute, name, type, text));
+    PDMC_TRY(allocate_text(type, name, text));
+    PDMC_H5_TRY(H5Aread(attribute, type, *text), PDMC_ERR_DATA, name);
 
 done:
     pdmc_h5_close(type);
     pdmc_h5_close(attribute);
-    if (status != PDMC_OK) {
-        pdmc_free(*text);
-        *text = NULL;
-    }
+    if (status != PDMC_OK) forget_text(text);
+    return status;
+}
+
+pdmc_status pdmc_h5_read_document(hid_t group, const char *name, char **text)
+{
+    pdmc_status status = PDMC_OK;
+    hid_t type = H5I_INVALID_HID, space = H5I_INVALID_HID;
+    *text = NULL;
+    const hid_t dataset = H5Dopen2(group, name, H5P_DEFAULT);
+    PDMC_H5_TRY(dataset, PDMC_ERR_DATA, name);
+    PDMC_H5_TRY(space = H5Dget_space(dataset), PDMC_ERR_DATA, name);
+    PDMC_H5_TRY(type = H5Dget_type(dataset), PDMC_ERR_DATA, name);
+    if (H5Sget_simple_extent_npoints(space) != 1) PDMC_FAIL(PDMC_ERR_DATA, "\"%s\" is not one text", name);
+    PDMC_TRY(allocate_text(type, name, text));
+    PDMC_H5_TRY(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, *text), PDMC_ERR_DATA, name);
+
+done:
+    pdmc_h5_close(type);
+    pdmc_h5_close(space);
+    pdmc_h5_close(dataset);
+    if (status != PDMC_OK) forget_text(text);
     return status;
 }

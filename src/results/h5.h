@@ -41,14 +41,18 @@ hid_t pdmc_h5_file_type(pdmc_kind kind);   // to be closed
 pdmc_status pdmc_h5_write_numbers(hid_t object, const char *name, hid_t file_type, hid_t memory_type, size_t count,
                                   const void *numbers);
 
-/// An attribute that is a text of any length (it is kept outside the object's header, which ends at 64 kB).
+/// An attribute that is a text of less than 64 kB, where the header of its object ends.
 pdmc_status pdmc_h5_write_text(hid_t object, const char *name, const char *text);
 
-/// An attribute of `count` texts.
-pdmc_status pdmc_h5_write_texts(hid_t object, const char *name, size_t count, const char *const texts[]);
+/// A text of any length, so not an attribute but a dataset of its own.
+pdmc_status pdmc_h5_write_document(hid_t group, const char *name, const char *text);
+
+/// An attribute of `count` texts of variable length, as HDF5's tools want labels; we do not read them.
+pdmc_status pdmc_h5_write_labels(hid_t object, const char *name, size_t count, const char *const labels[]);
 
 /// Reads an attribute of exactly max(count, 1) numbers.
 pdmc_status pdmc_h5_read_numbers(hid_t object, const char *name, hid_t memory_type, size_t count, void *numbers);
 
-/// Reads an attribute that is a text; free with pdmc_free().
+/// Reads an attribute, or a dataset, that is a text; free with pdmc_free(). NULL on failure.
 pdmc_status pdmc_h5_read_text(hid_t object, const char *name, char **text);
+pdmc_status pdmc_h5_read_document(hid_t group, const char *name, char **text);

@@ -123,8 +123,8 @@ const pdmc_attribute pdmc_attributes[] = {
     ATTRIBUTE("/", TEXT, "git_sha1", git_sha1),
     ATTRIBUTE("/", TEXT, "date_and_time", date_and_time),
     ATTRIBUTE("/", TEXT, "title", title),
-    ATTRIBUTE("/", TEXT, "input", input),
-    ATTRIBUTE("/", TEXT, "resolved", resolved),
+    ATTRIBUTE("/", DOCUMENT, "input", input),
+    ATTRIBUTE("/", DOCUMENT, "resolved", resolved),
     ATTRIBUTE("/", TEXT, "length_unit", length_unit),
     ATTRIBUTE("/", TEXT, "force_unit", force_unit),
     ATTRIBUTE("/", SEED, "seed", seed),
@@ -243,5 +243,6 @@ void pdmc_dataset_scatter(const pdmc_dataset *dataset, size_t size, const void *
 
 char **pdmc_attribute_text(pdmc_results *results, const pdmc_attribute *attribute)
 {
-    return (char **)((char *)results + attribute->member);
+    const bool is_text = attribute->kind == PDMC_ATTRIBUTE_TEXT || attribute->kind == PDMC_ATTRIBUTE_DOCUMENT;
+    return is_text ? (char **)((char *)results + attribute->member) : NULL;
 }

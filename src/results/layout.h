@@ -42,8 +42,14 @@ typedef struct {
     pdmc_dimension axes[PDMC_MAX_RANK + 1];
 } pdmc_dataset;
 
-typedef enum { PDMC_ATTRIBUTE_TEXT, PDMC_ATTRIBUTE_REAL, PDMC_ATTRIBUTE_INT, PDMC_ATTRIBUTE_SEED, PDMC_ATTRIBUTE_CHOICE }
-    pdmc_attribute_kind;
+typedef enum {
+    PDMC_ATTRIBUTE_TEXT,
+    PDMC_ATTRIBUTE_DOCUMENT, // a text too long for an attribute, and so a dataset
+    PDMC_ATTRIBUTE_REAL,
+    PDMC_ATTRIBUTE_INT,
+    PDMC_ATTRIBUTE_SEED,
+    PDMC_ATTRIBUTE_CHOICE,
+} pdmc_attribute_kind;
 
 /// One attribute of the file that is a field of the results.
 typedef struct {
@@ -88,7 +94,7 @@ void pdmc_dataset_set_memory(pdmc_results *results, const pdmc_dataset *dataset,
 void pdmc_dataset_gather(const pdmc_dataset *dataset, size_t size, const void *structures, void *packed);
 void pdmc_dataset_scatter(const pdmc_dataset *dataset, size_t size, const void *packed, void *structures);
 
-/// A text of the results as its attribute names it.
+/// A text of the results by its attribute; NULL where the attribute is no text.
 char **pdmc_attribute_text(pdmc_results *results, const pdmc_attribute *attribute);
 
 /// Whether the counts, names and choices are possible and agree with one another. A failure has the status `code`.

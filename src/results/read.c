@@ -151,6 +151,7 @@ static pdmc_status read_member(hid_t object, pdmc_results *results, const pdmc_a
     const char *name = attribute->name;
     switch (attribute->kind) {
     case PDMC_ATTRIBUTE_TEXT: return pdmc_h5_read_text(object, name, pdmc_attribute_text(results, attribute));
+    case PDMC_ATTRIBUTE_DOCUMENT: return pdmc_h5_read_document(object, name, pdmc_attribute_text(results, attribute));
     case PDMC_ATTRIBUTE_REAL: return pdmc_h5_read_numbers(object, name, H5T_NATIVE_DOUBLE, 0, member);
     case PDMC_ATTRIBUTE_INT: return pdmc_h5_read_numbers(object, name, H5T_NATIVE_INT, 0, member);
     case PDMC_ATTRIBUTE_SEED: return pdmc_h5_read_numbers(object, name, H5T_NATIVE_UINT64, 0, member);

@@ -19,8 +19,10 @@ void pdmc_results_clear(pdmc_results *results)
         pdmc_free(pdmc_dataset_memory(results, dataset));
         pdmc_dataset_set_memory(results, dataset, NULL); // several columns share an array
     }
-    for (size_t i = 0; i < pdmc_attribute_count; i++)
-        if (pdmc_attributes[i].kind == PDMC_ATTRIBUTE_TEXT) pdmc_free(*pdmc_attribute_text(results, &pdmc_attributes[i]));
+    for (size_t i = 0; i < pdmc_attribute_count; i++) {
+        char **text = pdmc_attribute_text(results, &pdmc_attributes[i]);
+        if (text) pdmc_free(*text);
+    }
     pdmc_free(results->pdmc_version);
     *results = (pdmc_results){0};
 }

@@ -17,7 +17,7 @@ static pdmc_status describe(hid_t object, const pdmc_results *results, const pdm
     PDMC_TRY(pdmc_h5_write_text(object, "units", unit));
     PDMC_TRY(pdmc_h5_write_text(object, "description", dataset->description));
     // The name under which HDF5's own dimension scales keep the labels, so that its tools show them.
-    if (rank > 0) PDMC_TRY(pdmc_h5_write_texts(object, "DIMENSION_LABELS", rank, labels));
+    if (rank > 0) PDMC_TRY(pdmc_h5_write_labels(object, "DIMENSION_LABELS", rank, labels));
 
 done:
     return status;
@@ -91,12 +91,11 @@ static pdmc_status write_choice(hid_t object, const pdmc_attribute *attribute, c
 static pdmc_status write_member(hid_t object, const pdmc_results *results, const pdmc_attribute *attribute)
 {
     const void *member = (const char *)results + attribute->member;
-    const char *name = attribute->name;
+    char *const *place = pdmc_attribute_text((pdmc_results *)results, attribute);
+    const char *name = attribute->name, *text = place && *place ? *place : "";
     switch (attribute->kind) {
-    case PDMC_ATTRIBUTE_TEXT: {
-        const char *text = *pdmc_attribute_text((pdmc_results *)results, attribute);
-        return pdmc_h5_write_text(object, name, text ? text : "");
-    }
+    case PDMC_ATTRIBUTE_TEXT: return pdmc_h5_write_text(object, name, text);
+    case PDMC_ATTRIBUTE_DOCUMENT: return pdmc_h5_write_document(object, name, text);
     case PDMC_ATTRIBUTE_REAL: return pdmc_h5_write_numbers(object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 0, member);
     case PDMC_ATTRIBUTE_INT: return pdmc_h5_write_numbers(object, name, H5T_STD_I32LE, H5T_NATIVE_INT, 0, member);
     case PDMC_ATTRIBUTE_SEED: return pdmc_h5_write_numbers(object, name, H5T_STD_U64LE, H5T_NATIVE_UINT64, 0, member);

@@ -98,7 +98,7 @@ static void long_texts_survive(void **state)
     (void)state;
     pdmc_results a = made_up_results(made_up_small), b;
     pdmc_free(a.input);
-    a.input = pdmc_calloc(300000, 1); // an attribute in its object's header ends at 64 kB
+    a.input = pdmc_calloc(300000, 1); // an attribute would end at 64 kB
     memset(a.input, 'x', 299999);
     CHECK_OK(pdmc_results_write(&a, scratch_path("results.h5"), false));
     CHECK_OK(pdmc_results_read(scratch_path("results.h5"), &b));
@@ -166,7 +166,8 @@ static void refused_memory_is_reported(void **state)
 
 static herr_t count_units(hid_t file, const char *name, const H5O_info_t *info, void *count)
 {
-    if (info->type != H5O_TYPE_DATASET) return 0;
+    const bool is_document = strcmp(name, "input") == 0 || strcmp(name, "resolved") == 0;
+    if (info->type != H5O_TYPE_DATASET || is_document) return 0;
     if (H5Aexists_by_name(file, name, "units", H5P_DEFAULT) <= 0) fail_msg("%s has no units", name);
     if (H5Aexists_by_name(file, name, "description", H5P_DEFAULT) <= 0) fail_msg("%s has no description", name);
     ++*(size_t *)count;
