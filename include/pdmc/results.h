@@ -26,6 +26,7 @@ typedef struct {
     double direction;              // angle of straight-ahead growth, rad
     double stress_intensity[2];    // K_I, K_II, force / length^(3/2)
     double t_stress;               // force / length^2
+    double stress_intensity_error[2], t_stress_error; // differences to a solution with 1.25 times the spacing
 } pdmc_tip;
 
 /// Figures that say how far the discretisation can be trusted.
@@ -34,7 +35,6 @@ typedef struct {
     double condition;    // of the column-scaled mean operator
     double residual;     // largest row residual at the mean, force / length^2
     double horizon, spacing;
-    double radial_error; // largest relative error of the ring interpolation, see pdmc/kansa.h
 } pdmc_solver_report;
 
 /// Statistics of one measure of the energy release rate; T tips, A angles, B bins, Q = 3 quantiles.
@@ -62,7 +62,7 @@ typedef struct {
 } pdmc_field;
 
 typedef struct {
-    double assembly, factorisation, energy_rows, sampling, energy, statistics, output, total; // wall seconds
+    double assembly, factorisation, operators, energy_rows, sampling, energy, statistics, output, total; // wall seconds
     int threads;
 } pdmc_runtime;
 
@@ -135,10 +135,10 @@ PDMC_API void pdmc_results_unit(const pdmc_results *results, pdmc_unit unit, siz
 PDMC_API void pdmc_results_clear(pdmc_results *results);
 
 /// Writes a result file. It appears under its name only when it is whole: it is written to a temporary file in the same
-/// folder, closed, synced and renamed. As HDF5 is built without threads, one thread at a time may write or read.
+/// folder, closed, synced and renamed. The file is made in memory first. As HDF5 is built without threads, one thread at a time may write or read.
 /// @param[in] overwrite  false: an existing file is left alone and refused
 /// @return PDMC_OK, PDMC_ERR_ARG (a missing array, counts that contradict each other), PDMC_ERR_CREATE (no permission,
-/// no folder, it exists), PDMC_ERR_IO (disk full, ...), or PDMC_ERR_NOMEM
+/// no folder, it exists), PDMC_ERR_IO (disk full, ...), PDMC_ERR_EXTERN, or PDMC_ERR_NOMEM
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_results_write(const pdmc_results *results, const char *path, bool overwrite);
 
 /// Reads a result file.

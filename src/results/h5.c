@@ -4,7 +4,6 @@
 #include "base/base_impl.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 void pdmc_h5_silence(pdmc_h5_printing *before)
@@ -32,12 +31,6 @@ static void innermost_message(char message[MESSAGE_SIZE])
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, copy_innermost, message);
     for (char *c = message; *c; c++)
         if (*c == '\n') *c = ' ';
-}
-
-int pdmc_h5_raised_errno(void)
-{
-    const char *place = strstr(pdmc_last_error(), "errno = ");
-    return place ? atoi(place + strlen("errno = ")) : 0;
 }
 
 pdmc_status pdmc_h5_raise(pdmc_status status, const char *what)
@@ -97,9 +90,9 @@ pdmc_status pdmc_h5_write_numbers(hid_t object, const char *name, hid_t file_typ
     const hsize_t extent = count;
     hid_t attribute = H5I_INVALID_HID;
     const hid_t space = count > 0 ? H5Screate_simple(1, &extent, NULL) : H5Screate(H5S_SCALAR);
-    PDMC_H5_TRY(space, PDMC_ERR_IO, name);
-    PDMC_H5_TRY(attribute = H5Acreate2(object, name, file_type, space, H5P_DEFAULT, H5P_DEFAULT), PDMC_ERR_IO, name);
-    PDMC_H5_TRY(H5Awrite(attribute, memory_type, numbers), PDMC_ERR_IO, name);
+    PDMC_H5_TRY(space, PDMC_ERR_EXTERN, name);
+    PDMC_H5_TRY(attribute = H5Acreate2(object, name, file_type, space, H5P_DEFAULT, H5P_DEFAULT), PDMC_ERR_EXTERN, name);
+    PDMC_H5_TRY(H5Awrite(attribute, memory_type, numbers), PDMC_ERR_EXTERN, name);
 
 done:
     pdmc_h5_close(attribute);
@@ -111,7 +104,7 @@ pdmc_status pdmc_h5_write_labels(hid_t object, const char *name, size_t count, c
 {
     pdmc_status status = PDMC_OK;
     const hid_t type = text_type(H5T_VARIABLE);
-    PDMC_H5_TRY(type, PDMC_ERR_IO, name);
+    PDMC_H5_TRY(type, PDMC_ERR_EXTERN, name);
     PDMC_TRY(pdmc_h5_write_numbers(object, name, type, type, count, labels));
 
 done:
@@ -123,7 +116,7 @@ pdmc_status pdmc_h5_write_text(hid_t object, const char *name, const char *text)
 {
     pdmc_status status = PDMC_OK;
     const hid_t type = text_type(strlen(text) + 1);
-    PDMC_H5_TRY(type, PDMC_ERR_IO, name);
+    PDMC_H5_TRY(type, PDMC_ERR_EXTERN, name);
     PDMC_TRY(pdmc_h5_write_numbers(object, name, type, type, 0, text));
 
 done:
@@ -136,10 +129,10 @@ pdmc_status pdmc_h5_write_document(hid_t group, const char *name, const char *te
     pdmc_status status = PDMC_OK;
     hid_t dataset = H5I_INVALID_HID;
     const hid_t type = text_type(strlen(text) + 1), space = H5Screate(H5S_SCALAR), creation = H5Pcreate(H5P_DATASET_CREATE);
-    PDMC_H5_TRY(H5Pset_obj_track_times(creation, false), PDMC_ERR_IO, name);
+    PDMC_H5_TRY(H5Pset_obj_track_times(creation, false), PDMC_ERR_EXTERN, name);
     dataset = H5Dcreate2(group, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
-    PDMC_H5_TRY(dataset, PDMC_ERR_IO, name);
-    PDMC_H5_TRY(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text), PDMC_ERR_IO, name);
+    PDMC_H5_TRY(dataset, PDMC_ERR_EXTERN, name);
+    PDMC_H5_TRY(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text), PDMC_ERR_EXTERN, name);
 
 done:
     pdmc_h5_close(dataset);

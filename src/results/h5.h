@@ -19,9 +19,6 @@ void pdmc_h5_restore(const pdmc_h5_printing *before);
 /// Records "<what>: <the innermost message of HDF5>" and returns the status.
 pdmc_status pdmc_h5_raise(pdmc_status status, const char *what);
 
-/// The errno in the message raised last, 0 where it has none.
-int pdmc_h5_raised_errno(void);
-
 /// Jumps to `done:` if a call of HDF5 failed.
 #define PDMC_H5_TRY(call, code, what)                                                                                  \
     do {                                                                                                               \

@@ -20,7 +20,7 @@ static pdmc_status write_levels(hid_t file)
 {
     pdmc_status status = PDMC_OK;
     const hid_t group = H5Gopen2(file, "/statistics", H5P_DEFAULT);
-    PDMC_H5_TRY(group, PDMC_ERR_IO, "/statistics");
+    PDMC_H5_TRY(group, PDMC_ERR_EXTERN, "/statistics");
     PDMC_TRY(pdmc_h5_write_numbers(group, "quantile_levels", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, PDMC_QUANTILES,
                                    pdmc_quantile_levels));
 

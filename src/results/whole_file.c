@@ -84,6 +84,19 @@ done:
     return status;
 }
 
+pdmc_status pdmc_whole_file_write(pdmc_whole_file *file, size_t size, const void *bytes)
+{
+    const char *next = bytes;
+    while (size > 0) {
+        const ssize_t written = write(file->descriptor, next, size);
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return pdmc_raise_errno(file->path, errno);
+        next += written;
+        size -= (size_t)written;
+    }
+    return PDMC_OK;
+}
+
 /// For file systems without hard links: the name is claimed by an empty file, which fails where it exists.
 static int claim_and_rename(const pdmc_whole_file *file)
 {

@@ -17,6 +17,9 @@ typedef struct {
 /// @param[out] file       to be discarded, also after a failure
 pdmc_status pdmc_whole_file_open(const char *path, bool overwrite, pdmc_whole_file *file);
 
+/// Writes bytes at the end of the temporary file.
+pdmc_status pdmc_whole_file_write(pdmc_whole_file *file, size_t size, const void *bytes);
+
 /// Syncs the temporary file and lets it appear.
 pdmc_status pdmc_whole_file_appear(pdmc_whole_file *file, bool overwrite);
 

@@ -47,7 +47,7 @@ static pdmc_status write_numbers(hid_t object, const pdmc_results *results, cons
     const void *numbers = pdmc_dataset_memory(results, dataset);
     const size_t size = pdmc_dataset_size(results, dataset);
     const hid_t type = pdmc_h5_memory_type(dataset->kind);
-    PDMC_H5_TRY(type, PDMC_ERR_IO, dataset->path);
+    PDMC_H5_TRY(type, PDMC_ERR_EXTERN, dataset->path);
     if (size > 0 && !pdmc_dataset_is_packed(dataset)) {
         packed = pdmc_calloc(size, pdmc_kind_size(dataset->kind));
         if (!packed) {
@@ -57,7 +57,7 @@ static pdmc_status write_numbers(hid_t object, const pdmc_results *results, cons
         pdmc_dataset_gather(dataset, size, numbers, packed);
         numbers = packed;
     }
-    if (size > 0) PDMC_H5_TRY(H5Dwrite(object, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers), PDMC_ERR_IO, dataset->path);
+    if (size > 0) PDMC_H5_TRY(H5Dwrite(object, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers), PDMC_ERR_EXTERN, dataset->path);
 
 done:
     pdmc_h5_close(type);
@@ -70,8 +70,8 @@ static pdmc_status write_dataset(hid_t file, const pdmc_results *results, const 
     pdmc_status status = PDMC_OK;
     hid_t object = H5I_INVALID_HID;
     const hid_t type = pdmc_h5_file_type(dataset->kind);
-    PDMC_H5_TRY(type, PDMC_ERR_IO, dataset->path);
-    PDMC_H5_TRY(object = create_dataset(file, results, dataset, type), PDMC_ERR_IO, dataset->path);
+    PDMC_H5_TRY(type, PDMC_ERR_EXTERN, dataset->path);
+    PDMC_H5_TRY(object = create_dataset(file, results, dataset, type), PDMC_ERR_EXTERN, dataset->path);
     PDMC_TRY(write_numbers(object, results, dataset));
     PDMC_TRY(describe(object, results, dataset));
 
@@ -108,7 +108,7 @@ static pdmc_status write_attribute(hid_t file, const pdmc_results *results, cons
 {
     pdmc_status status = PDMC_OK;
     const hid_t object = H5Oopen(file, attribute->object, H5P_DEFAULT);
-    PDMC_H5_TRY(object, PDMC_ERR_IO, attribute->object);
+    PDMC_H5_TRY(object, PDMC_ERR_EXTERN, attribute->object);
     PDMC_TRY(write_member(object, results, attribute));
 
 done:
@@ -127,28 +127,38 @@ done:
     return status;
 }
 
-/// A failure of the file system is told by its errno; the rest of HDF5's message is of no use to anybody.
-static pdmc_status blame(pdmc_status status, const char *path)
+/// The bytes of a file that is in memory; they are HDF5's until the file is closed.
+static pdmc_status file_image(hid_t file, const char *path, const void **image, size_t *size)
 {
-    const int error = status == PDMC_ERR_IO ? pdmc_h5_raised_errno() : 0;
-    return error ? pdmc_raise_errno(path, error) : status;
+    void *handle = NULL;
+    if (H5Fflush(file, H5F_SCOPE_GLOBAL) < 0) return pdmc_h5_raise(PDMC_ERR_EXTERN, path);
+    const ssize_t bytes = H5Fget_file_image(file, NULL, 0);
+    // The handle of the core driver is the place of its pointer to the image.
+    if (bytes <= 0 || H5Fget_vfd_handle(file, H5P_DEFAULT, &handle) < 0) return pdmc_h5_raise(PDMC_ERR_EXTERN, path);
+    *image = *(void **)handle;
+    *size = (size_t)bytes;
+    return PDMC_OK;
 }
 
-static pdmc_status write_hdf5(const pdmc_results *results, const pdmc_whole_file *whole)
+/// HDF5 makes the file in memory and we put it on the disk: when the disk is full, HDF5 1.10 cannot close what it
+/// wrote, and crashes at the end of the process.
+static pdmc_status write_hdf5(const pdmc_results *results, pdmc_whole_file *whole)
 {
+    enum { GROWTH = 1 << 20 }; // bytes by which the image grows
     pdmc_status status = PDMC_OK;
+    const void *image;
+    size_t size;
     hid_t file = H5I_INVALID_HID;
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-    // Nobody else knows the temporary file, and some network file systems cannot lock.
-    PDMC_H5_TRY(H5Pset_file_locking(access, false, true), PDMC_ERR_EXTERN, whole->path);
+    PDMC_H5_TRY(H5Pset_fapl_core(access, GROWTH, false), PDMC_ERR_EXTERN, whole->path);
     file = H5Fcreate(whole->temporary, H5F_ACC_TRUNC, H5P_DEFAULT, access);
-    PDMC_H5_TRY(file, PDMC_ERR_IO, whole->path);
+    PDMC_H5_TRY(file, PDMC_ERR_EXTERN, whole->path);
     PDMC_TRY(write_everything(file, results));
+    PDMC_TRY(file_image(file, whole->path, &image, &size));
+    PDMC_TRY(pdmc_whole_file_write(whole, size, image));
 
 done:
-    if (status != PDMC_OK) status = blame(status, whole->path);
-    if (file >= 0 && H5Fclose(file) < 0 && status == PDMC_OK)
-        status = blame(pdmc_h5_raise(PDMC_ERR_IO, whole->path), whole->path);
+    pdmc_h5_close(file);
     pdmc_h5_close(access);
     return status;
 }
