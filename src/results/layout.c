@@ -49,6 +49,10 @@ const pdmc_dataset pdmc_datasets[] = {
     TIPS("/tips/stress_intensity", REAL, stress_intensity, STRESS_INTENSITY, "K_I and K_II at the mean", 2,
          PDMC_DIM_MODE),
     TIPS("/tips/t_stress", REAL, t_stress, STRESS, "T-stress at the mean", 1, PDMC_DIM_END),
+    TIPS("/tips/stress_intensity_error", REAL, stress_intensity_error, STRESS_INTENSITY,
+         "differences of K_I and K_II to a solution with 1.25 times the spacing", 2, PDMC_DIM_MODE),
+    TIPS("/tips/t_stress_error", REAL, t_stress_error, STRESS,
+         "difference of the T-stress to a solution with 1.25 times the spacing", 1, PDMC_DIM_END),
     REALS("/angles", angles, ANGLE, "directions of growth, from the x axis", PDMC_DIM_ANGLE),
 
     REALS("/nominal/bond_energy", nominal_bond_energy, ENERGY, "bond energy release rate at the mean, all bonds",
@@ -66,7 +70,6 @@ const pdmc_dataset pdmc_datasets[] = {
     NUMBER("/solver/residual", REAL, solver.residual, STRESS, "largest residual of an equation at the mean"),
     NUMBER("/solver/horizon", REAL, solver.horizon, LENGTH, "peridynamic horizon"),
     NUMBER("/solver/spacing", REAL, solver.spacing, LENGTH, "spacing of the nodes"),
-    NUMBER("/solver/radial_error", REAL, solver.radial_error, NONE, "largest relative error of the ring interpolation"),
 
     REALS("/field/node_position", field.node_position, LENGTH, "nodes", PDMC_DIM_NODE, PDMC_DIM_COORDINATE),
     REALS("/field/node_displacement", field.node_displacement, LENGTH, "displacement of the nodes at the mean",
@@ -104,6 +107,7 @@ const pdmc_dataset pdmc_datasets[] = {
 
     SECONDS(assembly, "the assembly of the mean operator"),
     SECONDS(factorisation, "its factorisation"),
+    SECONDS(operators, "the operators of the uncertain micromodulus"),
     SECONDS(energy_rows, "the rows of the energy"),
     SECONDS(sampling, "the solutions of the samples"),
     SECONDS(energy, "the energies of the samples"),

@@ -61,8 +61,8 @@ static void make_study(pdmc_results *r)
     r->measure = PDMC_MEASURE_GRIFFITH;
     r->bonds = PDMC_BONDS_TENSILE;
     r->solver = (pdmc_solver_report){.nodes = 289, .unknowns = 650, .rows = 1391, .rank = 650, .condition = 4.7e10,
-                                     .residual = 2.3e-4, .horizon = 0.1, .spacing = 0.3125, .radial_error = 1.7e-6};
-    r->runtime = (pdmc_runtime){.assembly = 0.41, .factorisation = 0.22, .energy_rows = 0.35, .sampling = 3.8,
+                                     .residual = 2.3e-4, .horizon = 0.1, .spacing = 0.3125};
+    r->runtime = (pdmc_runtime){.assembly = 0.41, .factorisation = 0.22, .operators = 1.3, .energy_rows = 0.35, .sampling = 3.8,
                                 .energy = 1.2, .statistics = 0.6, .output = 0.05, .total = 6.7, .threads = 2};
 }
 
@@ -80,7 +80,8 @@ static void make_tips(pdmc_results *r)
             tip->position[0] = crack[2 * end], tip->position[1] = y;
             tip->direction = end ? 0.0 : pi;
             tip->stress_intensity[0] = 1.3229 - 0.08 * c, tip->stress_intensity[1] = end ? 0.021 : -0.021;
-            tip->t_stress = -1.04;
+            tip->stress_intensity_error[0] = 4.1e-4, tip->stress_intensity_error[1] = 2.0e-5;
+            tip->t_stress = -1.04, tip->t_stress_error = 0.003;
         }
     }
 }

@@ -47,12 +47,12 @@ static void check_fields(const pdmc_results *a, const pdmc_results *b)
     assert_int_equal(a->solver.rank, b->solver.rank);
     assert_memory_equal(&a->solver, &b->solver, sizeof a->solver);
     assert_int_equal(a->runtime.threads, b->runtime.threads);
-    assert_memory_equal(&a->runtime.assembly, &b->runtime.assembly, 8 * sizeof(double));
+    assert_memory_equal(&a->runtime.assembly, &b->runtime.assembly, 9 * sizeof(double));
     const size_t samples = (size_t)a->sample_count, tips = (size_t)a->tip_count, angles = (size_t)a->angle_count;
     for (size_t t = 0; t < tips; t++) {
         assert_string_equal(a->tips[t].name, b->tips[t].name);
         assert_memory_equal(a->tips[t].position, b->tips[t].position, sizeof a->tips[t].position);
-        assert_memory_equal(&a->tips[t].direction, &b->tips[t].direction, 4 * sizeof(double));
+        assert_memory_equal(&a->tips[t].direction, &b->tips[t].direction, 7 * sizeof(double));
     }
     assert_memory_equal(a->field.face_displacement, b->field.face_displacement,
                         (size_t)(a->crack_count * a->field.face_points) * 4 * sizeof(double));
