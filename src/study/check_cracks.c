@@ -21,7 +21,8 @@ static pdmc_status check_crack(const pdmc_study_reader *reader, int index)
 {
     const pdmc_crack *crack = &reader->problem->cracks[index];
     const pdmc_plate *plate = &reader->problem->plate;
-    const char *outside = "ends outside the plate or on its edge: edge cracks are not available yet, a tip must be inside";
+    const char *outside =
+        "ends outside the plate or on its edge: edge cracks are not available yet, a tip must be inside";
     if (!is_inside(plate, crack->from)) return refuse(reader, index, "from", outside);
     if (!is_inside(plate, crack->to)) return refuse(reader, index, "to", outside);
     if (!(pdmc_study_half_crack(crack) > 0.0)) return refuse(reader, index, NULL, "has zero length");
@@ -35,8 +36,9 @@ static pdmc_status check_two(const pdmc_study_reader *reader, int first, int sec
     if (strcmp(a->name, b->name) == 0)
         return refuse(reader, second, "name", "is the name of an earlier crack too, must be another");
     if (pdmc_segments_cross(a->from, a->to, b->from, b->to))
-        return pdmc_study_refuse(reader, address, "\"%s\" crosses or touches \"%s\": not available yet, cracks must be apart",
-                                 b->name, a->name);
+        return pdmc_study_refuse(reader, address,
+                                 "\"%s\" crosses or touches \"%s\": not available yet, cracks must be apart", b->name,
+                                 a->name);
     return PDMC_OK;
 }
 

@@ -15,11 +15,12 @@ static void warn_of_extension(const pdmc_study_reader *reader)
     const double advised = 0.25;
     const double ratio = energy->extension / energy->horizon;
     if (ratio > pdmc_study_with_rounding(advised))
-        pdmc_study_warn(reader, at("extension"),
-                        "extension %g is %g times the energy horizon %g: G_E then measures the field at a distance from "
-                        "the tip, not at it (advised: at most %g of the horizon); the paper's own case has extension = "
-                        "crack half length",
-                        energy->extension, ratio, energy->horizon, advised);
+        pdmc_study_warn(
+            reader, at("extension"),
+            "extension %g is %g times the energy horizon %g: G_E then measures the field at a distance from "
+            "the tip, not at it (advised: at most %g of the horizon); the paper's own case has extension = "
+            "crack half length",
+            energy->extension, ratio, energy->horizon, advised);
 }
 
 static void warn_of_horizon(const pdmc_study_reader *reader, int tip)
@@ -30,10 +31,11 @@ static void warn_of_horizon(const pdmc_study_reader *reader, int tip)
     char name[PDMC_STUDY_TIP_NAME_SIZE];
     if (!(horizon > pdmc_study_with_rounding(large * half))) return;
     pdmc_study_tip_name(reader->problem, tip, name);
-    pdmc_study_warn(reader, at("horizon"),
-                    "%g is %g of the crack's half length %g at %s: G_E then sees the whole crack, not the tip (advised: at "
-                    "most 0.1)",
-                    horizon, horizon / half, half, name);
+    pdmc_study_warn(
+        reader, at("horizon"),
+        "%g is %g of the crack's half length %g at %s: G_E then sees the whole crack, not the tip (advised: at "
+        "most 0.1)",
+        horizon, horizon / half, half, name);
 }
 
 pdmc_status pdmc_study_check_energy(const pdmc_study_reader *reader)

@@ -16,12 +16,13 @@ static pdmc_status check_spacing(const pdmc_study_reader *reader)
     const double largest = 0.25 * fmin(plate->width, plate->height);
     const double nodes = (plate->width / h) * (plate->height / h);
     if (!(h <= pdmc_study_with_rounding(largest)))
-        return pdmc_study_refuse(reader, at("spacing"), "%g is too large, must be at most %g, a quarter of the shorter side",
-                                 h, largest);
-    if (!(nodes <= pdmc_study_with_rounding(node_limit)))
         return pdmc_study_refuse(reader, at("spacing"),
-                                 "%g gives %.0f nodes, must be at most %.0f: the unknowns grow as 1/h^2, the cost as 1/h^6",
-                                 h, nodes, node_limit);
+                                 "%g is too large, must be at most %g, a quarter of the shorter side", h, largest);
+    if (!(nodes <= pdmc_study_with_rounding(node_limit)))
+        return pdmc_study_refuse(
+            reader, at("spacing"),
+            "%g gives %.0f nodes, must be at most %.0f: the unknowns grow as 1/h^2, the cost as 1/h^6", h, nodes,
+            node_limit);
     return PDMC_OK;
 }
 
@@ -34,10 +35,11 @@ static pdmc_status check_horizon(const pdmc_study_reader *reader)
     const double by_crack = 0.5 * pdmc_study_shortest_half_crack(p);
     const double by_plate = 0.3 * fmin(p->plate.width, p->plate.height);
     if (!(horizon <= pdmc_study_with_rounding(by_crack)))
-        return pdmc_study_refuse(reader, at("horizon"),
-                                 "%g is too large, must be at most %g, half of the shortest crack's half length: beyond it "
-                                 "stress intensity factors are wrong while the residual stays small (33 %% at 0.8)",
-                                 horizon, by_crack);
+        return pdmc_study_refuse(
+            reader, at("horizon"),
+            "%g is too large, must be at most %g, half of the shortest crack's half length: beyond it "
+            "stress intensity factors are wrong while the residual stays small (33 %% at 0.8)",
+            horizon, by_crack);
     if (!(horizon <= pdmc_study_with_rounding(by_plate)))
         return pdmc_study_refuse(reader, at("horizon"), "%g is too large, must be at most %g, 0.3 of the shorter side",
                                  horizon, by_plate);
@@ -50,8 +52,8 @@ static void warn_of_shape(const pdmc_study_reader *reader)
     const double ratio = kansa->shape / kansa->spacing;
     if (pdmc_study_with_rounding(ratio) < 2.0 || ratio > pdmc_study_with_rounding(8.0))
         pdmc_study_warn(reader, at("shape"),
-                        "%g is %g spacings: advised are 2 to 8, less is inaccurate, more is near singular", kansa->shape,
-                        ratio);
+                        "%g is %g spacings: advised are 2 to 8, less is inaccurate, more is near singular",
+                        kansa->shape, ratio);
 }
 
 pdmc_status pdmc_study_check_solver(const pdmc_study_reader *reader)

@@ -35,21 +35,33 @@ static void print_place(FILE *out, const pdmc_study_reader *reader, pdmc_study_a
     fputs(": ", out);
 }
 
+pdmc_status pdmc_study_refusal_begin(const pdmc_study_reader *reader, pdmc_study_address address,
+                                     pdmc_study_text *message)
+{
+    *message = (pdmc_study_text){0};
+    const pdmc_status status = pdmc_study_text_open(message);
+    if (status == PDMC_OK) print_place(message->out, reader, address);
+    return status;
+}
+
+pdmc_status pdmc_study_refusal_end(pdmc_study_text *message)
+{
+    pdmc_status status = pdmc_study_text_close(message);
+    if (status == PDMC_OK) status = pdmc_raise(PDMC_ERR_CONFIG, "%s", message->bytes);
+    pdmc_study_text_drop(message);
+    return status;
+}
+
 pdmc_status pdmc_study_refuse(const pdmc_study_reader *reader, pdmc_study_address address, const char *format, ...)
 {
-    pdmc_status status = PDMC_OK;
-    pdmc_study_text message = {0};
-    PDMC_TRY(pdmc_study_text_open(&message));
-    print_place(message.out, reader, address);
+    pdmc_study_text message;
+    const pdmc_status status = pdmc_study_refusal_begin(reader, address, &message);
+    if (status != PDMC_OK) return status;
     va_list arguments;
     va_start(arguments, format);
     vfprintf(message.out, format, arguments);
     va_end(arguments);
-    PDMC_TRY(pdmc_study_text_close(&message));
-    status = pdmc_raise(PDMC_ERR_CONFIG, "%s", message.bytes);
-done:
-    pdmc_study_text_drop(&message);
-    return status;
+    return pdmc_study_refusal_end(&message);
 }
 
 void pdmc_study_warn(const pdmc_study_reader *reader, pdmc_study_address address, const char *format, ...)

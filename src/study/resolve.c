@@ -148,7 +148,7 @@ pdmc_status pdmc_study_resolve(pdmc_study *study)
     const writer w = {text.out, &study->problem};
     for (pdmc_study_section_id id = SECTION_TOP; id < SECTIONS; id++) write_section(&w, id);
     PDMC_TRY(pdmc_study_text_close(&text));
-    if (!(resolved = pdmc_strdup(text.bytes))) PDMC_FAIL(PDMC_ERR_NOMEM, "out of memory: the resolved study");
+    PDMC_TRY(pdmc_study_text_copy(&text, &resolved));
     pdmc_free(study->resolved);
     study->resolved = resolved;
 done:

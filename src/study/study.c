@@ -27,12 +27,6 @@ static pdmc_status read_problem(const pdmc_study_source *source, FILE *warnings,
     return status;
 }
 
-static pdmc_status copy_text(const pdmc_study_text *text, char **copy)
-{
-    *copy = pdmc_strdup(text->bytes);
-    return *copy ? PDMC_OK : PDMC_ERR_NOMEM;
-}
-
 pdmc_status pdmc_study_read(const char *path, pdmc_study *study)
 {
     pdmc_status status = PDMC_OK;
@@ -43,8 +37,8 @@ pdmc_status pdmc_study_read(const char *path, pdmc_study *study)
     PDMC_TRY(pdmc_study_text_open(&warnings));
     PDMC_TRY(read_problem(&source, warnings.out, &study->problem));
     PDMC_TRY(pdmc_study_text_close(&warnings));
-    PDMC_TRY(copy_text(&source.input, &study->input));
-    PDMC_TRY(copy_text(&warnings, &study->warnings));
+    PDMC_TRY(pdmc_study_text_copy(&source.input, &study->input));
+    PDMC_TRY(pdmc_study_text_copy(&warnings, &study->warnings));
     PDMC_TRY(pdmc_study_resolve(study));
 done:
     if (status != PDMC_OK) pdmc_study_clear(study);

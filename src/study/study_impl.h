@@ -19,6 +19,8 @@ typedef struct {
 PDMC_NODISCARD pdmc_status pdmc_study_text_open(pdmc_study_text *text);
 /// Ends the writing; PDMC_ERR_NOMEM if any of it was lost.
 PDMC_NODISCARD pdmc_status pdmc_study_text_close(pdmc_study_text *text);
+/// A copy of the closed text; free with pdmc_free().
+PDMC_NODISCARD pdmc_status pdmc_study_text_copy(const pdmc_study_text *text, char **copy);
 /// Frees the bytes, open or closed; a zeroed text is allowed.
 void pdmc_study_text_drop(pdmc_study_text *text);
 
@@ -106,8 +108,8 @@ typedef struct pdmc_study_reader pdmc_study_reader;
 typedef struct {
     const char *name; // "" for the top of the file
     const char *doc;
-    size_t size;         // of an element, for a list of groups; 0 for a single group
-    size_t items, count; // offsets in the problem of a list's pointer and length
+    size_t size;                                           // of an element, for a list of groups; 0 for a single group
+    size_t items, count;                                   // offsets in the problem of a list's pointer and length
     pdmc_status (*check)(const pdmc_study_reader *reader); // what the values mean together; may be NULL
 } pdmc_study_section;
 
@@ -133,7 +135,7 @@ double pdmc_study_default_shape(const pdmc_problem *problem);
 double pdmc_study_default_energy_horizon(const pdmc_problem *problem);
 double pdmc_study_default_extension(const pdmc_problem *problem);
 
-// ---- reading (report.c, parse.c, tips.c, study.c) ----
+// ---- reading (parse.c, values.c, tips.c), and places in the file (report.c) ----
 
 struct pdmc_study_reader {
     const pdmc_study_source *source;
@@ -142,7 +144,8 @@ struct pdmc_study_reader {
     FILE *warnings;
 };
 
-/// Where in the file something is: a setting, a group (key = NULL), an element of a list or the list itself (index < 0).
+/// Where in the file something is: a setting, a group (key = NULL), an element of a list or the list itself (index <
+/// 0).
 typedef struct {
     pdmc_study_section_id section;
     int index;
@@ -154,17 +157,45 @@ const config_setting_t *pdmc_study_locate(const pdmc_study_reader *reader, pdmc_
 /// Raises PDMC_ERR_CONFIG with "file:line: path: " before the message.
 pdmc_status pdmc_study_refuse(const pdmc_study_reader *reader, pdmc_study_address address, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+/// The same in pieces: what is printed to message->out between the two becomes the message.
+PDMC_NODISCARD pdmc_status pdmc_study_refusal_begin(const pdmc_study_reader *reader, pdmc_study_address address,
+                                                    pdmc_study_text *message);
+pdmc_status pdmc_study_refusal_end(pdmc_study_text *message);
 void pdmc_study_warn(const pdmc_study_reader *reader, pdmc_study_address address, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /// Reads and checks every section into reader->problem.
 PDMC_NODISCARD pdmc_status pdmc_study_parse(const pdmc_study_reader *reader);
+
+/// One group of the file, or its absence, and the struct that it fills.
+typedef struct {
+    const pdmc_study_reader *reader;
+    const config_setting_t *group; // NULL where the file does not have it
+    pdmc_study_section_id section;
+    int index; // in a list; -1 otherwise
+    void *base;
+} pdmc_study_record;
+
+/// Checks and stores one value; `value` is NULL where the file leaves it to the default.
+PDMC_NODISCARD pdmc_status pdmc_study_read_value(const pdmc_study_record *record, const pdmc_study_setting *setting,
+                                                 const config_setting_t *value);
 PDMC_NODISCARD pdmc_status pdmc_study_parse_tips(const pdmc_study_reader *reader, pdmc_study_address address,
                                                  const config_setting_t *value);
 
 enum { PDMC_STUDY_TIP_NAME_SIZE = PDMC_NAME_SIZE + 8 };
 /// "<crack>.from" or "<crack>.to".
 void pdmc_study_tip_name(const pdmc_problem *problem, int tip, char name[PDMC_STUDY_TIP_NAME_SIZE]);
+
+// ---- what is wrong with a value (refusal.c) ----
+
+pdmc_study_address pdmc_study_address_of(const pdmc_study_record *record, const pdmc_study_setting *setting);
+/// Says what was found and what is allowed; `noun` is "" where the kind is right and only the range is not.
+pdmc_status pdmc_study_refuse_value(const pdmc_study_record *record, const pdmc_study_setting *setting,
+                                    const config_setting_t *value, const char *noun);
+pdmc_status pdmc_study_refuse_kind(const pdmc_study_record *record, const pdmc_study_setting *setting,
+                                   const config_setting_t *value);
+pdmc_status pdmc_study_refuse_missing(const pdmc_study_record *record, const pdmc_study_setting *setting);
+pdmc_status pdmc_study_refuse_section(const pdmc_study_reader *reader, pdmc_study_address address, const char *allowed);
 
 // ---- did you mean (nearest.c) ----
 

@@ -20,6 +20,12 @@ pdmc_status pdmc_study_text_close(pdmc_study_text *text)
     return closed && !lost ? PDMC_OK : pdmc_raise(PDMC_ERR_NOMEM, "out of memory: a text of the study");
 }
 
+pdmc_status pdmc_study_text_copy(const pdmc_study_text *text, char **copy)
+{
+    *copy = pdmc_strdup(text->bytes);
+    return *copy ? PDMC_OK : PDMC_ERR_NOMEM;
+}
+
 void pdmc_study_text_drop(pdmc_study_text *text)
 {
     if (text->out) fclose(text->out);

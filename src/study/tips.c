@@ -40,9 +40,9 @@ static pdmc_status refuse_tip(const pdmc_study_reader *reader, pdmc_study_addres
     }
     PDMC_TRY(pdmc_study_text_close(&list));
     const char *tips = count > 0 ? list.bytes : "there are no cracks";
-    status = *nearest.best
-                 ? pdmc_study_refuse(reader, address, "no tip \"%.80s\", did you mean \"%s\"? (%s)", wanted, nearest.best, tips)
-                 : pdmc_study_refuse(reader, address, "no tip \"%.80s\", %s", wanted, tips);
+    status = *nearest.best ? pdmc_study_refuse(reader, address, "no tip \"%.80s\", did you mean \"%s\"? (%s)", wanted,
+                                               nearest.best, tips)
+                           : pdmc_study_refuse(reader, address, "no tip \"%.80s\", %s", wanted, tips);
 done:
     pdmc_study_text_drop(&list);
     return status;
