@@ -17,9 +17,7 @@ static void the_generator_is_philox4x64_10(void **state)
         philox4x64_key_t key;
         uint64_t want[4];
     } vectors[] = {
-        {{{0, 0, 0, 0}},
-         {{0, 0}},
-         {0x16554d9eca36314c, 0xdb20fe9d672d0fdc, 0xd7e772cee186176b, 0x7e68b68aec7ba23b}},
+        {{{0, 0, 0, 0}}, {{0, 0}}, {0x16554d9eca36314c, 0xdb20fe9d672d0fdc, 0xd7e772cee186176b, 0x7e68b68aec7ba23b}},
         {{{UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX}},
          {{UINT64_MAX, UINT64_MAX}},
          {0x87b092c3013fe90b, 0x438c3c67be8d0224, 0x9cc7d7c69cd777b6, 0xa09caebf594f0ba0}},
