@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/base_impl.h"
+#include "results/whole_file.h"
+#include "views/views_impl.h"
+
+#include <errno.h>
+#include <math.h>
+#include <string.h>
+#include <unistd.h>
+
+/// The units that stand in the header lines.
+typedef struct {
+    char energy[PDMC_UNIT_SIZE], density[PDMC_UNIT_SIZE], stress_intensity[PDMC_UNIT_SIZE];
+} csv_units;
+
+typedef void csv_writer(const pdmc_results *r, const csv_units *units, FILE *stream);
+
+/// A field that may hold commas or quotes.
+static void put_text(FILE *stream, const char *text)
+{
+    const bool quoted = strpbrk(text, ",\"\r\n") != NULL;
+    if (quoted) fputc('"', stream);
+    for (const char *c = text; *c; c++) {
+        if (*c == '"') fputc('"', stream);
+        fputc(*c, stream);
+    }
+    if (quoted) fputc('"', stream);
+}
+
+/// A column's name and its unit: "name[unit]".
+static void put_column(FILE *stream, const char *name, const char *unit)
+{
+    char column[PDMC_UNIT_SIZE + PDMC_NAME_SIZE + 48];
+    snprintf(column, sizeof column, "%s[%s]", name, unit);
+    fputc(',', stream);
+    put_text(stream, column);
+}
+
+static void put_number(FILE *stream, double x)
+{
+    fprintf(stream, ",%.17g", x);
+}
+
+static void put_estimate(FILE *stream, const pdmc_estimate *e)
+{
+    put_number(stream, e->value);
+    put_number(stream, e->lower);
+    put_number(stream, e->upper);
+}
+
+/// The fields that say whose line it is: tip, measure, angle.
+static void put_place(FILE *stream, const pdmc_results *r, int tip, int measure, int angle)
+{
+    put_text(stream, r->tips[tip].name);
+    fprintf(stream, ",%s", pdmc_measure_names[measure]);
+    put_number(stream, r->angles[angle]);
+}
+
+static void write_pdf_at(const pdmc_results *r, int t, int m, int k, FILE *stream)
+{
+    const size_t at = pdmc_place(r, t, k), bins = (size_t)r->histogram_bins;
+    const pdmc_energy_statistics *s = &r->statistics[m];
+    for (size_t b = 0; b < bins; b++) {
+        put_place(stream, r, t, m, k);
+        put_number(stream, s->histogram_edges[at * (bins + 1) + b]);
+        put_number(stream, s->histogram_edges[at * (bins + 1) + b + 1]);
+        put_estimate(stream, &s->density[at * bins + b]);
+        fprintf(stream, ",%lld\n", (long long)s->histogram_counts[at * (bins + 2) + b + 1]);
+    }
+}
+
+static void write_pdf(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    fputs("tip,measure,angle[rad]", stream);
+    put_column(stream, "bin_lower", units->energy);
+    put_column(stream, "bin_upper", units->energy);
+    put_column(stream, "density", units->density);
+    put_column(stream, "density_lower", units->density);
+    put_column(stream, "density_upper", units->density);
+    fputs(",count\n", stream);
+    for (int t = 0; t < r->tip_count; t++)
+        for (int m = 0; m < PDMC_MEASURES; m++)
+            for (int k = 0; k < r->angle_count; k++) write_pdf_at(r, t, m, k, stream);
+}
+
+static void write_statistic(const pdmc_results *r, int t, int m, int k, const char *name, const pdmc_estimate *e,
+                            FILE *stream)
+{
+    put_place(stream, r, t, m, k);
+    fprintf(stream, ",%s", name);
+    put_estimate(stream, e);
+    fputc('\n', stream);
+}
+
+static void write_statistics_at(const pdmc_results *r, int t, int m, int k, FILE *stream)
+{
+    const size_t at = pdmc_place(r, t, k);
+    const pdmc_energy_statistics *s = &r->statistics[m];
+    write_statistic(r, t, m, k, "mean", &s->mean[at], stream);
+    write_statistic(r, t, m, k, "standard_deviation", &s->standard_deviation[at], stream);
+    for (size_t q = 0; q < PDMC_QUANTILES; q++) {
+        char level[16];
+        snprintf(level, sizeof level, "%.2f", pdmc_quantile_levels[q]);
+        write_statistic(r, t, m, k, level, &s->quantiles[at * PDMC_QUANTILES + q], stream);
+    }
+}
+
+static void write_quantiles(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    fputs("tip,measure,angle[rad],statistic", stream);
+    put_column(stream, "value", units->energy);
+    put_column(stream, "lower", units->energy);
+    put_column(stream, "upper", units->energy);
+    fputc('\n', stream);
+    for (int t = 0; t < r->tip_count; t++)
+        for (int m = 0; m < PDMC_MEASURES; m++)
+            for (int k = 0; k < r->angle_count; k++) write_statistics_at(r, t, m, k, stream);
+}
+
+static void write_direction(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    (void)units;
+    fputs("tip,measure,angle[rad],probability,lower,upper\n", stream);
+    for (int t = 0; t < r->tip_count; t++)
+        for (int k = 0; k < r->angle_count; k++) {
+            put_place(stream, r, t, r->measure, k);
+            put_estimate(stream, &r->direction[pdmc_place(r, t, k)]);
+            fputc('\n', stream);
+        }
+}
+
+static void write_samples_header(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    const struct {
+        const char *suffix, *unit;
+    } columns[] = {
+        {".K_I", units->stress_intensity},
+        {".K_II", units->stress_intensity},
+        {".bond_energy_max", units->energy},
+        {".griffith_energy_max", units->energy},
+    };
+    fputs("sample,failure,load_factor,effective_modulus,contraction", stream);
+    for (int t = 0; t < r->tip_count; t++)
+        for (size_t i = 0; i < sizeof columns / sizeof columns[0]; i++) {
+            char column[sizeof r->tips[t].name + 32];
+            snprintf(column, sizeof column, "%s%s", r->tips[t].name, columns[i].suffix);
+            put_column(stream, column, columns[i].unit);
+        }
+    fputc('\n', stream);
+}
+
+/// The largest of a tip's energies; NaN where the sample failed.
+static double largest(const pdmc_results *r, int measure, int sample, int tip)
+{
+    double best = NAN;
+    const size_t at = ((size_t)sample * (size_t)r->tip_count + (size_t)tip) * (size_t)r->angle_count;
+    for (size_t k = 0; k < (size_t)r->angle_count; k++) best = fmax(best, r->energy[measure][at + k]);
+    return best;
+}
+
+static void write_samples(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    static const char *const failures[] = {
+        [PDMC_SAMPLE_OK] = "none",
+        [PDMC_SAMPLE_DIVERGED] = "diverged",
+        [PDMC_SAMPLE_SINGULAR] = "singular",
+        [PDMC_SAMPLE_SOFT] = "soft",
+    };
+    write_samples_header(r, units, stream);
+    for (int s = 0; s < r->sample_count; s++) {
+        fprintf(stream, "%d,%s", s, failures[r->failure[s]]);
+        put_number(stream, r->load_factor[s]);
+        put_number(stream, r->effective_modulus[s]);
+        put_number(stream, r->contraction[s]);
+        for (int t = 0; t < r->tip_count; t++) {
+            const double *k = &r->stress_intensity[2 * ((size_t)s * (size_t)r->tip_count + (size_t)t)];
+            put_number(stream, k[0]);
+            put_number(stream, k[1]);
+            for (int m = 0; m < PDMC_MEASURES; m++) put_number(stream, largest(r, m, s, t));
+        }
+        fputc('\n', stream);
+    }
+}
+
+static void write_energy_samples(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    fputs("sample,tip,angle[rad]", stream);
+    for (int m = 0; m < PDMC_MEASURES; m++) put_column(stream, pdmc_measure_names[m], units->energy);
+    fputc('\n', stream);
+    size_t at = 0;
+    for (int s = 0; s < r->sample_count; s++)
+        for (int t = 0; t < r->tip_count; t++)
+            for (int k = 0; k < r->angle_count; k++, at++) {
+                fprintf(stream, "%d,", s);
+                put_text(stream, r->tips[t].name);
+                put_number(stream, r->angles[k]);
+                for (int m = 0; m < PDMC_MEASURES; m++) put_number(stream, r->energy[m][at]);
+                fputc('\n', stream);
+            }
+}
+
+/// Writes through a stream of its own, since the descriptor belongs to the file.
+static pdmc_status write_stream(pdmc_whole_file *file, const pdmc_results *r, const csv_units *units, csv_writer *write)
+{
+    const int descriptor = dup(file->descriptor);
+    FILE *stream = descriptor >= 0 ? fdopen(descriptor, "w") : NULL;
+    if (!stream) {
+        const int error = errno;
+        if (descriptor >= 0) close(descriptor);
+        return pdmc_raise_errno(file->path, error);
+    }
+    errno = 0;
+    write(r, units, stream);
+    const bool failed = ferror(stream) != 0;
+    if (fclose(stream) != 0 || failed) return pdmc_raise_errno(file->path, errno ? errno : EIO);
+    return PDMC_OK;
+}
+
+static pdmc_status export_file(const pdmc_results *r, const csv_units *units, const char *folder, const char *name,
+                               csv_writer *write)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_whole_file file = {0};
+    char *path = pdmc_folder_path(folder, name);
+    if (!path) return PDMC_ERR_NOMEM;
+    PDMC_TRY(pdmc_whole_file_open(path, true, &file));
+    PDMC_TRY(write_stream(&file, r, units, write));
+    PDMC_TRY(pdmc_whole_file_appear(&file, true));
+
+done:
+    pdmc_whole_file_discard(&file);
+    pdmc_free(path);
+    return status;
+}
+
+/// Above this, every energy of every sample as text is of no use: it is in the result file.
+static bool energies_are_few(const pdmc_results *r)
+{
+    return (double)r->sample_count * r->tip_count * r->angle_count <= 1e6;
+}
+
+pdmc_status pdmc_view_export(const pdmc_results *results, const char *folder)
+{
+    static const struct {
+        const char *name;
+        csv_writer *write;
+    } files[] = {
+        {"pdf.csv", write_pdf},         {"quantiles.csv", write_quantiles},
+        {"direction.csv", write_direction}, {"samples.csv", write_samples},
+        {"energy_samples.csv", write_energy_samples},
+    };
+    const size_t all = sizeof files / sizeof files[0], count = energies_are_few(results) ? all : all - 1;
+    pdmc_status status = PDMC_OK;
+    pdmc_locale locale = {0};
+    csv_units units;
+    pdmc_results_unit(results, PDMC_UNIT_ENERGY, sizeof units.energy, units.energy);
+    pdmc_results_unit(results, PDMC_UNIT_DENSITY, sizeof units.density, units.density);
+    pdmc_results_unit(results, PDMC_UNIT_STRESS_INTENSITY, sizeof units.stress_intensity, units.stress_intensity);
+    PDMC_TRY(pdmc_locale_plain(&locale));
+    PDMC_TRY(pdmc_folder_make(folder));
+    for (size_t i = 0; i < count; i++) PDMC_TRY(export_file(results, &units, folder, files[i].name, files[i].write));
+
+done:
+    pdmc_locale_restore(&locale);
+    return status;
+}

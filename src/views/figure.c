@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/figure.h"
+
+#include "base/base_impl.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <spawn.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char **environ;
+
+static void put_characters(const pdmc_figure *figure, const char *text)
+{
+    for (const char *c = text; *c; c++) {
+        if (strchr("_^{}@&~\\", *c)) fputc('\\', figure->script);
+        if (*c == '\'') fputc('\'', figure->script);
+        fputc(iscntrl((unsigned char)*c) ? ' ' : *c, figure->script);
+    }
+}
+
+void pdmc_figure_text(const pdmc_figure *figure, const char *text)
+{
+    fputc('\'', figure->script);
+    put_characters(figure, text);
+    fputc('\'', figure->script);
+}
+
+void pdmc_figure_label(const pdmc_figure *figure, const char *what, const char *before, const char *text,
+                       const char *after)
+{
+    fprintf(figure->script, "set %s '%s", what, before);
+    put_characters(figure, text);
+    fprintf(figure->script, "%s'\n", after);
+}
+
+/// The name of a file: no enhanced text here, and no way to write a control character.
+static void put_output(const pdmc_figure *figure, const pdmc_whole_file *file)
+{
+    fputs("set output '", figure->script);
+    for (const char *c = file->temporary; *c; c++) {
+        if (*c == '\'') fputc('\'', figure->script);
+        fputc(*c, figure->script);
+    }
+    fputs("'\n", figure->script);
+}
+
+static const char *const settings =
+    "set encoding utf8\n"
+    "set border 3 linewidth 1.2\n"
+    "set tics nomirror out scale 0.8\n"
+    "set style line 100 linecolor '#d8d8d8' linewidth 0.7\n"
+    "set grid back linestyle 100\n"
+    "set key top right Left reverse samplen 2 spacing 1.25\n"
+    "set title font ',20'\n"
+    "set style fill transparent solid 0.25 noborder\n";
+
+static pdmc_status open_file(const char *folder, const char *stem, const char *ending, pdmc_whole_file *file)
+{
+    pdmc_status status = PDMC_OK;
+    char *path = NULL;
+    char name[256];
+    snprintf(name, sizeof name, "%s.%s", stem, ending);
+    for (char *c = name; *c; c++)
+        if (*c == '/' || iscntrl((unsigned char)*c)) *c = '_';
+    if (!(path = pdmc_folder_path(folder, name))) return PDMC_ERR_NOMEM;
+    for (const char *c = folder; *c; c++)
+        if (iscntrl((unsigned char)*c))
+            PDMC_FAIL(PDMC_ERR_CREATE, "%s: gnuplot cannot write where a name has control characters", folder);
+    PDMC_TRY(pdmc_whole_file_open(path, true, file));
+
+done:
+    pdmc_free(path);
+    return status;
+}
+
+pdmc_status pdmc_figure_open(const char *folder, const char *stem, pdmc_figure *figure)
+{
+    pdmc_status status = PDMC_OK;
+    *figure = (pdmc_figure){0};
+    PDMC_TRY(open_file(folder, stem, "png", &figure->png));
+    PDMC_TRY(open_file(folder, stem, "svg", &figure->svg));
+    figure->script = tmpfile();
+    if (!figure->script) {
+        status = pdmc_raise_errno("the script of gnuplot", errno);
+        goto done;
+    }
+    fputs("set terminal pngcairo enhanced color rounded size 1600,1100 font 'Sans,22' linewidth 2.2 background 'white'\n",
+          figure->script);
+    put_output(figure, &figure->png);
+    fputs(settings, figure->script);
+
+done:
+    return status;
+}
+
+/// Starts gnuplot with the script as its input and its messages in `errors`.
+static pdmc_status spawn(const pdmc_figure *figure, FILE *errors, pid_t *process)
+{
+    char program[] = "gnuplot", defaults[] = "-d"; // without the user's own settings
+    char *const arguments[] = {program, defaults, NULL};
+    posix_spawn_file_actions_t actions;
+    int error = posix_spawn_file_actions_init(&actions);
+    if (error == 0) {
+        error = posix_spawn_file_actions_adddup2(&actions, fileno(figure->script), STDIN_FILENO);
+        if (error == 0) error = posix_spawn_file_actions_adddup2(&actions, fileno(errors), STDERR_FILENO);
+        if (error == 0) error = posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+        if (error == 0) error = posix_spawnp(process, program, &actions, NULL, arguments, environ);
+        posix_spawn_file_actions_destroy(&actions);
+    }
+    if (error == ENOENT) return pdmc_raise(PDMC_ERR_EXTERN, "gnuplot not found: install gnuplot-nox");
+    if (error != 0) return pdmc_raise(PDMC_ERR_EXTERN, "gnuplot cannot be started: error %d", error);
+    return PDMC_OK;
+}
+
+/// The line of gnuplot's messages that says what is wrong: the last one that is not empty.
+static void last_line(FILE *errors, size_t size, char line[])
+{
+    char next[256];
+    snprintf(line, size, "no message");
+    rewind(errors);
+    while (fgets(next, sizeof next, errors)) {
+        next[strcspn(next, "\r\n")] = '\0';
+        if (next[strspn(next, " \t^")] != '\0') snprintf(line, size, "%s", next);
+    }
+}
+
+static pdmc_status run(const pdmc_figure *figure)
+{
+    pdmc_status status = PDMC_OK;
+    pid_t process = 0;
+    int outcome = 0;
+    char line[256];
+    FILE *errors = tmpfile();
+    if (!errors) return pdmc_raise_errno("the messages of gnuplot", errno);
+    PDMC_TRY(spawn(figure, errors, &process));
+    while (waitpid(process, &outcome, 0) < 0 && errno == EINTR) continue;
+    if (!WIFEXITED(outcome) || WEXITSTATUS(outcome) != 0) {
+        last_line(errors, sizeof line, line);
+        PDMC_FAIL(PDMC_ERR_EXTERN, "gnuplot failed on %s: %s", figure->png.path, line);
+    }
+
+done:
+    fclose(errors);
+    return status;
+}
+
+/// gnuplot may end without complaint where a terminal is missing, or the disk is full.
+static pdmc_status check_drawn(const pdmc_whole_file *file)
+{
+    struct stat properties;
+    if (fstat(file->descriptor, &properties) == 0 && properties.st_size > 0) return PDMC_OK;
+    return pdmc_raise(PDMC_ERR_EXTERN, "gnuplot left %s empty", file->path);
+}
+
+pdmc_status pdmc_figure_draw(pdmc_figure *figure)
+{
+    pdmc_status status = PDMC_OK;
+    fputs("set terminal svg enhanced rounded size 1600,1100 dynamic font 'sans-serif,28' linewidth 2.8 background 'white'\n",
+          figure->script);
+    fputs("set title font ',25'\n", figure->script);
+    put_output(figure, &figure->svg);
+    fputs("replot\nunset output\n", figure->script);
+    if (fflush(figure->script) != 0 || ferror(figure->script)) {
+        status = pdmc_raise_errno("the script of gnuplot", errno);
+        goto done;
+    }
+    rewind(figure->script); // and with it the place from where gnuplot reads
+    PDMC_TRY(run(figure));
+    PDMC_TRY(check_drawn(&figure->png));
+    PDMC_TRY(check_drawn(&figure->svg));
+    PDMC_TRY(pdmc_whole_file_appear(&figure->png, true));
+    PDMC_TRY(pdmc_whole_file_appear(&figure->svg, true));
+
+done:
+    return status;
+}
+
+void pdmc_figure_close(pdmc_figure *figure)
+{
+    if (figure->script) fclose(figure->script);
+    pdmc_whole_file_discard(&figure->png);
+    pdmc_whole_file_discard(&figure->svg);
+    *figure = (pdmc_figure){0};
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/base_impl.h"
+#include "views/plots.h"
+
+/// One picture of what a study has, by what it is of.
+typedef enum { OF_DENSITY, OF_QUANTILES, OF_DIRECTION, OF_MICROMODULUS, OF_PLATE } subject;
+
+static void draw(const pdmc_results *r, subject of, int tip, pdmc_measure measure, const pdmc_figure *figure)
+{
+    switch (of) {
+    case OF_DENSITY: pdmc_draw_density(r, tip, measure, figure); break;
+    case OF_QUANTILES: pdmc_draw_quantiles(r, tip, measure, figure); break;
+    case OF_DIRECTION: pdmc_draw_direction(r, tip, figure); break;
+    case OF_MICROMODULUS: pdmc_draw_micromodulus(r, figure); break;
+    case OF_PLATE: pdmc_draw_plate(r, figure); break;
+    }
+}
+
+static pdmc_status plot(const pdmc_results *r, const char *folder, const char *stem, subject of, int tip,
+                        pdmc_measure measure)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_figure figure;
+    PDMC_TRY(pdmc_figure_open(folder, stem, &figure));
+    draw(r, of, tip, measure, &figure);
+    PDMC_TRY(pdmc_figure_draw(&figure));
+
+done:
+    pdmc_figure_close(&figure);
+    return status;
+}
+
+static pdmc_status plot_measure(const pdmc_results *r, const char *folder, int tip, pdmc_measure measure)
+{
+    pdmc_status status = PDMC_OK;
+    char stem[sizeof r->tips[tip].name + 32];
+    if (r->histogram_bins > 0) {
+        snprintf(stem, sizeof stem, "pdf_%s_%s", r->tips[tip].name, pdmc_measure_names[measure]);
+        PDMC_TRY(plot(r, folder, stem, OF_DENSITY, tip, measure));
+    }
+    snprintf(stem, sizeof stem, "quantiles_%s_%s", r->tips[tip].name, pdmc_measure_names[measure]);
+    PDMC_TRY(plot(r, folder, stem, OF_QUANTILES, tip, measure));
+
+done:
+    return status;
+}
+
+static pdmc_status plot_tip(const pdmc_results *r, const char *folder, int tip)
+{
+    pdmc_status status = PDMC_OK;
+    char stem[sizeof r->tips[tip].name + 32];
+    for (int m = 0; m < PDMC_MEASURES; m++) PDMC_TRY(plot_measure(r, folder, tip, (pdmc_measure)m));
+    snprintf(stem, sizeof stem, "direction_%s", r->tips[tip].name);
+    PDMC_TRY(plot(r, folder, stem, OF_DIRECTION, tip, r->measure));
+
+done:
+    return status;
+}
+
+pdmc_status pdmc_view_plot(const pdmc_results *results, const char *folder)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_locale locale;
+    PDMC_TRY(pdmc_locale_plain(&locale));
+    PDMC_TRY(pdmc_folder_make(folder));
+    if (results->angle_count > 0)
+        for (int t = 0; t < results->tip_count; t++) PDMC_TRY(plot_tip(results, folder, t));
+    if (results->bin_count > 0 && results->sample_count > 0)
+        PDMC_TRY(plot(results, folder, "micromodulus", OF_MICROMODULUS, 0, results->measure));
+    PDMC_TRY(plot(results, folder, "plate", OF_PLATE, 0, results->measure));
+
+done:
+    pdmc_locale_restore(&locale);
+    return status;
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/plots.h"
+
+#include <math.h>
+
+enum { SHOWN = 2 };
+static const double turns[SHOWN] = {0.0, 45.0}; // from straight ahead, degrees
+static const char *const colours[SHOWN] = {PDMC_BLUE, PDMC_VERMILION};
+
+static double finite_or(double x, double otherwise)
+{
+    return isfinite(x) ? x : otherwise;
+}
+
+/// A step from edge to edge: two points a bin, and down to zero at both ends.
+static void put_steps(const pdmc_results *r, pdmc_measure measure, size_t at, int block, FILE *script)
+{
+    const size_t bins = (size_t)r->histogram_bins;
+    const double *edges = &r->statistics[measure].histogram_edges[at * (bins + 1)];
+    const pdmc_estimate *density = &r->statistics[measure].density[at * bins];
+    fprintf(script, "$density%d << EOD\n%.9g 0 0 0\n", block, edges[0]);
+    for (size_t b = 0; b < bins; b++) {
+        const double value = density[b].value;
+        const double lower = finite_or(density[b].lower, value), upper = finite_or(density[b].upper, value);
+        fprintf(script, "%.9g %.9g %.9g %.9g\n", edges[b], value, lower, upper);
+        fprintf(script, "%.9g %.9g %.9g %.9g\n", edges[b + 1], value, lower, upper);
+    }
+    fprintf(script, "%.9g 0 0 0\nEOD\n", edges[bins]);
+}
+
+/// Where the largest of the densities ends, and where the energies do.
+static void put_ranges(const pdmc_results *r, pdmc_measure measure, const size_t at[SHOWN], FILE *script)
+{
+    const size_t bins = (size_t)r->histogram_bins;
+    double top = 0.0, right = 0.0;
+    for (int i = 0; i < SHOWN; i++) {
+        const pdmc_energy_statistics *s = &r->statistics[measure];
+        right = fmax(right, s->histogram_edges[at[i] * (bins + 1) + bins]);
+        for (size_t b = 0; b < bins; b++) top = fmax(top, finite_or(s->density[at[i] * bins + b].upper, 0.0));
+    }
+    if (right > 0.0) fprintf(script, "set xrange [0:%.9g]\n", 1.02 * right);
+    if (top > 0.0) fprintf(script, "set yrange [0:%.9g]\n", 1.08 * top);
+    if (r->fracture_energy < right) {
+        fprintf(script, "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead dashtype 2 linewidth 0.9 "
+                        "linecolor " PDMC_GREY "\n", r->fracture_energy, r->fracture_energy);
+        fprintf(script, "set label 'G_c' at first %.9g, graph 0.97 offset 0.6,0 textcolor " PDMC_GREY "\n",
+                r->fracture_energy);
+    }
+}
+
+void pdmc_draw_density(const pdmc_results *r, int tip, pdmc_measure measure, const pdmc_figure *figure)
+{
+    FILE *script = figure->script;
+    char unit[PDMC_UNIT_SIZE];
+    size_t at[SHOWN];
+    double degrees[SHOWN];
+    for (int i = 0; i < SHOWN; i++) {
+        const int k = pdmc_nearest_angle(r, r->tips[tip].direction + turns[i] / pdmc_degrees);
+        at[i] = pdmc_place(r, tip, k);
+        degrees[i] = r->angles[k] * pdmc_degrees;
+        put_steps(r, measure, at[i], i, script);
+    }
+    put_ranges(r, measure, at, script);
+    pdmc_figure_label(figure, "title", "Energy release rate at tip ", r->tips[tip].name, "");
+    pdmc_results_unit(r, PDMC_UNIT_ENERGY, sizeof unit, unit);
+    pdmc_figure_label(figure, "xlabel", measure == PDMC_MEASURE_BOND ? "Bond energy G_E (" : "Griffith energy G (", unit, ")");
+    pdmc_results_unit(r, PDMC_UNIT_DENSITY, sizeof unit, unit);
+    pdmc_figure_label(figure, "ylabel", "Probability density (", unit, ")");
+    fputs("plot ", script);
+    for (int i = 0; i < SHOWN; i++)
+        fprintf(script, "$density%d using 1:3:4 with filledcurves linecolor %s title '%g %% confidence', "
+                        "$density%d using 1:2 with lines linecolor %s linewidth 1.2 title 'φ = %.4g°, %s'%s",
+                i, colours[i], 100.0 * r->confidence, i, colours[i], degrees[i],
+                i ? "45° off" : "straight ahead", i + 1 < SHOWN ? ", " : "\n");
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The drawings: each writes what is to be drawn into an open figure.
+
+#include "views/figure.h"
+
+/// Probability densities of an energy straight ahead of a tip and 45 degrees off.
+void pdmc_draw_density(const pdmc_results *r, int tip, pdmc_measure measure, const pdmc_figure *figure);
+
+/// Quantiles of an energy round a tip.
+void pdmc_draw_quantiles(const pdmc_results *r, int tip, pdmc_measure measure, const pdmc_figure *figure);
+
+/// The probability that an energy is largest in each direction.
+void pdmc_draw_direction(const pdmc_results *r, int tip, const pdmc_figure *figure);
+
+/// The micromodulus of the first sample over the length of a bond.
+void pdmc_draw_micromodulus(const pdmc_results *r, const pdmc_figure *figure);
+
+/// The plate, its cracks, and its displaced nodes and crack faces.
+void pdmc_draw_plate(const pdmc_results *r, const pdmc_figure *figure);
