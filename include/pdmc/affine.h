@@ -33,13 +33,13 @@ typedef struct {
     void (*destroy)(void *discretisation);
 } pdmc_affine_verbs;
 
-/// The energy release rate at one point of a circle round a tip in factored form: with z = basis x,
-///     G = 1/2 sum_q g_q sum_{bonds b of ring q} weight_b (row_b . z)^2,   g_q = sum_bins c_bin rings.weight[bin][q].
+/// The energy release rate at one point of a circle round a tip in factored form:
+///     G = 1/2 c_0 sum_q g_q sum_{bonds b of ring q} (row_b . x)^2,   g_q = sum_bins (c_bin / c_0) rings.weight[bin][q].
+/// The sign of row_b . x is that of the bond's stretch.
 typedef struct {
-    int dimension, bonds;
-    double *row;    // [bonds, dimension]
-    double *weight; // [bonds]
-    int *ring;      // [bonds] ascending
+    int bonds;
+    double *row; // [bonds, unknowns]
+    int *ring;   // [bonds] ascending
 } pdmc_crossing;
 
 struct pdmc_affine {
@@ -52,12 +52,11 @@ struct pdmc_affine {
     double *stress_intensity; // [2 tips, unknowns] rows of K_I, K_II of each tip at E_eff = E
     double micromodulus;      // c_0 at the horizon of the energy, force / length^5
     pdmc_ring_rule energy_rings;
-    int dimensions;           // sum of the crossings' dimensions
-    double *basis;            // [dimensions, unknowns], the crossings' bases one after another
     pdmc_crossing *crossings; // [tips, angles]
 
     const pdmc_affine_verbs *verbs;
     void *discretisation;
+    double operator_seconds, energy_seconds; // wall time of making the operators and the crossings
 };
 
 /// A zeroed model is allowed.

@@ -65,7 +65,8 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_tip(const pdmc_kansa *kansa, int 
 /// @param[out] field  free its arrays with pdmc_free or by pdmc_results_clear()
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_field(const pdmc_kansa *kansa, pdmc_field *field);
 
-/// The affine model of the problem's uncertain quantities, in coordinates in which the mean operator is the identity.
+/// The affine model of the problem's uncertain quantities, in coordinates of the space in which its answers lie, where the mean operator
+/// is the identity; direct solves are made in full and projected.
 /// @param[in]  kansa  must outlive the model
 /// @param[out] model  free with pdmc_affine_clear(); zero on failure
-PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_affine(pdmc_kansa *kansa, pdmc_affine *model);
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_affine(const pdmc_kansa *kansa, pdmc_affine *model);

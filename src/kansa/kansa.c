@@ -10,6 +10,15 @@
 #include <math.h>
 #include <string.h>
 
+// E_eff = (pi / 3) int c r^2 dr, which the rings integrate exactly.
+static void share_modulus(pdmc_kansa *kansa)
+{
+    const pdmc_ring_rule *rings = &kansa->rings;
+    double modulus = 0.0;
+    for (int q = 0; q < rings->rings; q++) modulus += rings->mean[q] * rings->radius[q] * rings->radius[q];
+    for (int q = 0; q < rings->rings; q++) kansa->share[q] = rings->radius[q] * rings->radius[q] / modulus;
+}
+
 static pdmc_status prepare(pdmc_kansa *kansa)
 {
     pdmc_status status = PDMC_OK;
@@ -29,6 +38,7 @@ static pdmc_status prepare(pdmc_kansa *kansa)
     PDMC_TRY(pdmc_basis_complete(basis, problem->crack_count, problem->cracks));
     PDMC_TRY(pdmc_collocation_create(problem, options->spacing, basis, &kansa->points));
     PDMC_TRY(pdmc_ring_rule_create(options->radial_points, noise ? noise->bins : 1, 2, options->horizon, &kansa->rings));
+    share_modulus(kansa);
 
     int motions;
     double motion[3][3];

@@ -17,6 +17,7 @@ struct pdmc_kansa {
     int rows, unknowns, rank;
     double *ring_rows;      // [rings, 2 interior, unknowns] c_0 spacing F(r_q), without the ring's weight
     bool *is_traction;      // [2 boundary] row scales with the effective modulus
+    double share[PDMC_MAX_RINGS]; // E_eff / E = sum_q w_q share_q for weights w of the rings
     double *q;              // [unknowns columns of rows] orthonormal
     double *r;              // [unknowns, unknowns] column-major, upper triangle
     double *load[2];        // [rows] F_0, F_1

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// A study from its problem to its results.
+
+#include "pdmc/stochastic.h"
+#include "pdmc/study.h"
+
+/// What a study will cost.
+typedef struct {
+    int nodes, unknowns, rows;
+    double bytes, seconds; // of memory and of wall time, within a factor of two or so
+} pdmc_cost;
+
+/// Discretises the problem, solves for the mean and for every sample, and summarises.
+/// @param[out] results  free with pdmc_results_clear(); zero on failure
+/// @return PDMC_OK, or the failure of a step
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options,
+                                             pdmc_results *results);
+
+/// Estimates what pdmc_run() would need, from counts of operations at a nominal rate a thread.
+PDMC_API pdmc_cost pdmc_run_cost(const pdmc_problem *problem, int threads);

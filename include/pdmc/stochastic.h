@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Monte Carlo on an affine model. It sees only models and random numbers, and knows no discretisation.
+
+#include "pdmc/affine.h"
+#include "pdmc/results.h"
+
+/// How a run is steered from outside.
+typedef struct {
+    int threads; // >= 1; no result depends on it
+    /// Called, never by two threads at once, when samples are done; NULL is allowed. False asks for an early stop: the
+    /// blocks under way are finished, and the results hold the samples up to the first that is missing.
+    bool (*progress)(void *context, int done, int total);
+    void *context;
+} pdmc_run_options;
+
+/// Draws and solves the samples of a study.
+///
+/// Sample i depends on (seed, i) alone; samples are solved in blocks of PDMC_BLOCK, by
+///  - the Neumann expansion (Evangelatos & Spanos 2011, eq. 52, with the sign (-1)^j that is missing in print)
+///        x = sum_{j <= order} (-K_0^-1 K'(xi))^j K_0^-1 F,
+///    whose contraction factor is measured as the ratio of the norms of its last two terms, or
+///  - the sample's own factorisation.
+/// A sample that cannot be solved is marked in results->failure and has NaN for results.
+/// @param[in]     model    of the problem
+/// @param[in,out] results  the problem's tips, angles and bins are set; the sample arrays are made and filled, as are the
+///                         nominal energies, the status and the times of sampling and energy
+/// @return PDMC_OK (also when stopped early), PDMC_ERR_DATA where the expansion does not contract for half of the first
+///         samples, PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_monte_carlo(const pdmc_problem *problem, const pdmc_affine *model,
+                                                     const pdmc_run_options *options, pdmc_results *results);
+
+/// Fills the statistics of results from its samples, with intervals at results->confidence.
+/// @return PDMC_OK or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_summarise(const pdmc_run_options *options, pdmc_results *results);

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef enum {
+    COMMAND_RUN,
+    COMMAND_CHECK,
+    COMMAND_SHOW,
+    COMMAND_EXPORT,
+    COMMAND_PLOT,
+    COMMAND_DESCRIBE,
+    COMMAND_HELP,
+    COMMAND_VERSION,
+} command;
+
+typedef struct {
+    command command;
+    const char *input, *folder; // study or result file; folder of export and plot
+    const char *output;         // NULL for the study's name with .h5, in the working folder
+    int threads;                // 0 for all processors
+    int samples;                // 0 for the study's
+    bool has_seed, force, quiet, json;
+    uint64_t seed;
+} arguments;
+
+extern const char usage[];
+
+/// Reads the command line. A mistake is reported to standard error.
+/// @return false after a mistake
+bool read_arguments(int argc, char *argv[], arguments *out);

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pdmc/affine.h"
+
+#include "base/base_impl.h"
+#include "kansa/energy.h"
+#include "kansa/response.h"
+
+#include <cblas.h>
+#include <lapacke.h>
+#include <math.h>
+#include <string.h>
+
+// The model's coordinates are those of the response space: x = basis y.
+typedef struct {
+    const pdmc_kansa *kansa;
+    pdmc_response response;
+    double *ring_rows; // [terms, 2 interior, unknowns of the collocation] in y, for direct solves only
+} ring_operator;
+
+static void destroy_operator(void *discretisation)
+{
+    ring_operator *rings = discretisation;
+    pdmc_response_clear(&rings->response);
+    pdmc_free(rings->ring_rows);
+    pdmc_free(rings);
+}
+
+static pdmc_status perturb(const pdmc_affine *model, const double xi[], const double x[], double y[])
+{
+    pdmc_status status = PDMC_OK;
+    const ring_operator *rings = model->discretisation;
+    const int r = model->unknowns, terms = model->terms;
+    double *stack = NULL; // [PDMC_BLOCK, terms, unknowns]
+    PDMC_NEW(stack, PDMC_BLOCK * terms * r);
+    for (int s = 0; s < PDMC_BLOCK; s++)
+        for (int q = 0; q < terms; q++)
+            cblas_daxpy(r, xi[s * terms + q], &x[s * r], 1, &stack[(s * terms + q) * r], 1);
+    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, r, PDMC_BLOCK, terms * r, 1.0, rings->response.image, r, stack,
+                terms * r, 0.0, y, r);
+done:
+    pdmc_free(stack);
+    return status;
+}
+
+// Turns a row of the mean, Q, into that of A(xi) R^-1.
+static void add_rings(const ring_operator *rings, int terms, const double xi[], int row, double values[])
+{
+    const pdmc_kansa *kansa = rings->kansa;
+    const int n = kansa->unknowns, interior = 2 * kansa->points.interior_count;
+    const int boundary = row - interior;
+    if (row < interior) {
+        for (int q = 0; q < terms; q++)
+            cblas_daxpy(n, xi[q], &rings->ring_rows[(size_t)(q * interior + row) * (size_t)n], 1, values, 1);
+    } else if (boundary < 2 * kansa->points.boundary_count && kansa->is_traction[boundary]) {
+        double modulus = 1.0;
+        for (int q = 0; q < terms; q++) modulus += xi[q] * kansa->share[q];
+        cblas_dscal(n, modulus, values, 1);
+    }
+}
+
+static pdmc_status solve(const pdmc_affine *model, const double xi[], const double scale[2], double x[])
+{
+    pdmc_status status = PDMC_OK;
+    const ring_operator *rings = model->discretisation;
+    const pdmc_kansa *kansa = rings->kansa;
+    const int n = kansa->unknowns, m = kansa->rows;
+    double *transposed = NULL, *load = NULL; // [unknowns, rows] column-major
+    PDMC_REQUIRE(rings->ring_rows, "the model was made without direct solves");
+    PDMC_NEW(transposed, (size_t)n * (size_t)m);
+    PDMC_NEW(load, m);
+    cblas_domatcopy(CblasColMajor, CblasTrans, m, n, 1.0, kansa->q, m, transposed, n);
+    for (int row = 0; row < m; row++) add_rings(rings, model->terms, xi, row, &transposed[(size_t)row * (size_t)n]);
+    for (int l = 0; l < 2; l++) cblas_daxpy(m, scale[l], kansa->load[l], 1, load, 1);
+    const int info = LAPACKE_dgels(LAPACK_COL_MAJOR, 'T', n, m, 1, transposed, n, load, m);
+    if (info > 0) PDMC_FAIL(PDMC_ERR_SINGULAR, "the sample's system is rank deficient");
+    if (info < 0) PDMC_FAIL(PDMC_ERR_EXTERN, "LAPACKE_dgels returned %d", info);
+    cblas_dgemv(CblasRowMajor, CblasNoTrans, model->unknowns, n, 1.0, rings->response.basis, n, load, 1, 0.0, x, 1);
+done:
+    pdmc_free(transposed);
+    pdmc_free(load);
+    return status;
+}
+
+enum { PANEL = 64 }; // rows of a task, the same for any number of threads
+
+static pdmc_status whiten_rings(const pdmc_kansa *kansa, int terms, ring_operator *rings)
+{
+    pdmc_status status = PDMC_OK;
+    const int n = kansa->unknowns, count = terms * 2 * kansa->points.interior_count;
+    PDMC_NEW(rings->ring_rows, (size_t)count * (size_t)n);
+    memcpy(rings->ring_rows, kansa->ring_rows, (size_t)count * (size_t)n * sizeof(double));
+#pragma omp parallel for schedule(dynamic) num_threads(kansa->threads)
+    for (int first = 0; first < count; first += PANEL)
+        pdmc_kansa_whiten(kansa, count - first < PANEL ? count - first : PANEL,
+                          &rings->ring_rows[(size_t)first * (size_t)n]);
+done:
+    return status;
+}
+
+// Five standard deviations of each ring's weight.
+static void expected_sizes(const pdmc_kansa *kansa, double variation, double size[PDMC_MAX_RINGS])
+{
+    const pdmc_ring_rule *rings = &kansa->rings;
+    for (int q = 0; q < rings->rings; q++) {
+        double sum = 0.0;
+        for (int b = 0; b < rings->bins; b++) {
+            const double weight = rings->weight[b * rings->rings + q];
+            sum += weight * weight;
+        }
+        size[q] = 5.0 * variation * sqrt(sum);
+    }
+}
+
+static pdmc_status create_operator(const pdmc_kansa *kansa, pdmc_affine *model)
+{
+    pdmc_status status = PDMC_OK;
+    static const pdmc_affine_verbs verbs = {perturb, solve, destroy_operator};
+    const pdmc_uncertainty *noise = pdmc_problem_uncertainty(kansa->problem, PDMC_QUANTITY_MICROMODULUS);
+    ring_operator *rings = NULL;
+    double size[PDMC_MAX_RINGS];
+    PDMC_NEW(rings, 1);
+    model->discretisation = rings;
+    model->verbs = &verbs;
+    model->bins = kansa->rings.bins;
+    model->terms = noise ? kansa->rings.rings : 0;
+    rings->kansa = kansa;
+    expected_sizes(kansa, noise ? noise->variation : 0.0, size);
+    PDMC_TRY(pdmc_response_create(kansa, model->terms, size, &rings->response));
+    if (kansa->problem->sampling.inverse == PDMC_INVERSE_DIRECT)
+        PDMC_TRY(whiten_rings(kansa, model->terms, rings));
+    model->unknowns = rings->response.dimension;
+    for (int l = 0; l < 2; l++) {
+        PDMC_NEW(model->solution[l], model->unknowns);
+        cblas_dgemv(CblasRowMajor, CblasNoTrans, model->unknowns, kansa->unknowns, 1.0, rings->response.basis,
+                    kansa->unknowns, kansa->whitened[l], 1, 0.0, model->solution[l], 1);
+    }
+done:
+    return status;
+}
+
+static pdmc_status fill_weights(const pdmc_kansa *kansa, pdmc_affine *model)
+{
+    pdmc_status status = PDMC_OK;
+    const int rings = kansa->rings.rings;
+    PDMC_NEW(model->term_weight, model->bins * model->terms);
+    PDMC_NEW(model->modulus_weight, model->bins);
+    for (int b = 0; b < model->bins; b++) {
+        for (int q = 0; q < rings; q++) {
+            const double weight = kansa->rings.weight[b * rings + q];
+            if (model->terms > 0) model->term_weight[b * rings + q] = weight;
+            model->modulus_weight[b] += weight * kansa->share[q];
+        }
+    }
+done:
+    return status;
+}
+
+static pdmc_status fill_stress_intensity(const pdmc_kansa *kansa, pdmc_affine *model)
+{
+    pdmc_status status = PDMC_OK;
+    const ring_operator *rings = model->discretisation;
+    const int n = kansa->unknowns, count = 2 * model->tips;
+    double *row = NULL;
+    PDMC_NEW(row, (size_t)count * (size_t)n);
+    PDMC_NEW(model->stress_intensity, count * model->unknowns);
+    for (int t = 0; t < model->tips; t++)
+        pdmc_kansa_stress_intensity_rows(kansa, kansa->problem->energy.tips[t], &row[(size_t)(2 * t) * (size_t)n],
+                                         &row[(size_t)(2 * t + 1) * (size_t)n]);
+    if (count > 0)
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, count, model->unknowns, n, 1.0, row, n,
+                    rings->response.coefficients, n, 0.0, model->stress_intensity, model->unknowns);
+done:
+    pdmc_free(row);
+    return status;
+}
+
+pdmc_status pdmc_kansa_affine(const pdmc_kansa *kansa, pdmc_affine *model)
+{
+    pdmc_status status = PDMC_OK;
+    const double start = pdmc_seconds();
+    *model = (pdmc_affine){.tips = kansa->problem->energy.tip_count, .angles = kansa->problem->energy.angles};
+    PDMC_TRY(create_operator(kansa, model));
+    PDMC_TRY(fill_weights(kansa, model));
+    PDMC_TRY(fill_stress_intensity(kansa, model));
+    const double made = pdmc_seconds();
+    const ring_operator *rings = model->discretisation;
+    PDMC_TRY(pdmc_kansa_energy(kansa, &rings->response, model));
+    model->operator_seconds = made - start;
+    model->energy_seconds = pdmc_seconds() - made;
+done:
+    if (status != PDMC_OK) pdmc_affine_clear(model);
+    return status;
+}

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pdmc/run.h"
+
+#include "base/base_impl.h"
+#include "pdmc/kansa.h"
+
+#include <math.h>
+#include <time.h>
+
+enum { HISTOGRAM_BINS = 60 };
+
+static pdmc_status copy_text(const char *from, char **to)
+{
+    *to = pdmc_strdup(from);
+    return *to ? PDMC_OK : PDMC_ERR_NOMEM;
+}
+
+static pdmc_status stamp_date(char **text)
+{
+    char date[32];
+    struct tm utc;
+    const time_t now = time(NULL);
+    strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", gmtime_r(&now, &utc));
+    return copy_text(date, text);
+}
+
+static pdmc_status describe_study(const pdmc_study *study, pdmc_results *results)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_problem *problem = &study->problem;
+    PDMC_TRY(copy_text(problem->title, &results->title));
+    PDMC_TRY(copy_text(problem->length_unit, &results->length_unit));
+    PDMC_TRY(copy_text(problem->force_unit, &results->force_unit));
+    PDMC_TRY(copy_text(study->input, &results->input));
+    PDMC_TRY(copy_text(study->resolved, &results->resolved));
+    PDMC_TRY(copy_text(pdmc_version(), &results->pdmc_version));
+    PDMC_TRY(copy_text(pdmc_git_sha1(), &results->git_sha1));
+    PDMC_TRY(stamp_date(&results->date_and_time));
+    results->seed = problem->sampling.seed;
+    results->status = PDMC_RUN_COMPLETE;
+    results->confidence = 0.95;
+    results->plate_width = problem->plate.width;
+    results->plate_height = problem->plate.height;
+    results->fracture_energy = problem->material.fracture_energy;
+    results->extension = problem->energy.extension;
+    results->energy_horizon = problem->energy.horizon;
+    results->measure = problem->energy.measure;
+    results->bonds = problem->energy.bonds;
+    results->histogram_bins = HISTOGRAM_BINS;
+done:
+    return status;
+}
+
+static pdmc_status describe_geometry(const pdmc_problem *problem, pdmc_results *results)
+{
+    pdmc_status status = PDMC_OK;
+    const double pi = 3.14159265358979323846;
+    PDMC_NEW(results->cracks, 4 * problem->crack_count);
+    PDMC_NEW(results->angles, problem->energy.angles);
+    results->crack_count = problem->crack_count;
+    results->angle_count = problem->energy.angles;
+    for (int c = 0; c < problem->crack_count; c++) {
+        for (int k = 0; k < 2; k++) {
+            results->cracks[4 * c + k] = problem->cracks[c].from[k];
+            results->cracks[4 * c + 2 + k] = problem->cracks[c].to[k];
+        }
+    }
+    for (int a = 0; a < problem->energy.angles; a++) results->angles[a] = 2.0 * pi * a / problem->energy.angles;
+done:
+    return status;
+}
+
+// The difference to a solution with 1.25 times the spacing: a residual does not bound the error of K, this does so far.
+static pdmc_status estimate_errors(const pdmc_problem *problem, int threads, pdmc_results *results)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_problem coarse = *problem;
+    pdmc_kansa *kansa = NULL;
+    coarse.kansa.spacing *= 1.25;
+    coarse.kansa.shape *= 1.25;
+    PDMC_TRY(pdmc_kansa_create(&coarse, NULL, threads, &kansa));
+    for (int t = 0; t < results->tip_count; t++) {
+        pdmc_tip *tip = &results->tips[t], other;
+        PDMC_TRY(pdmc_kansa_tip(kansa, problem->energy.tips[t], &other));
+        for (int k = 0; k < 2; k++)
+            tip->stress_intensity_error[k] = fabs(tip->stress_intensity[k] - other.stress_intensity[k]);
+        tip->t_stress_error = fabs(tip->t_stress - other.t_stress);
+    }
+done:
+    pdmc_kansa_destroy(&kansa);
+    return status;
+}
+
+static pdmc_status describe_solution(const pdmc_problem *problem, const pdmc_kansa *kansa, int threads,
+                                     pdmc_results *results)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_uncertainty *noise = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_MICROMODULUS);
+    results->bin_count = noise ? noise->bins : 0;
+    PDMC_NEW(results->tips, problem->energy.tip_count);
+    results->tip_count = problem->energy.tip_count;
+    for (int t = 0; t < results->tip_count; t++)
+        PDMC_TRY(pdmc_kansa_tip(kansa, problem->energy.tips[t], &results->tips[t]));
+    if (results->tip_count > 0) PDMC_TRY(estimate_errors(problem, threads, results));
+    results->solver = pdmc_kansa_report(kansa);
+    PDMC_TRY(pdmc_kansa_field(kansa, &results->field));
+    pdmc_kansa_runtime(kansa, &results->runtime.assembly, &results->runtime.factorisation);
+    results->runtime.threads = threads;
+done:
+    return status;
+}
+
+pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, pdmc_results *results)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_problem *problem = &study->problem;
+    pdmc_kansa *kansa = NULL;
+    pdmc_affine model = {0};
+    const double start = pdmc_seconds();
+    *results = (pdmc_results){0};
+    PDMC_TRY(describe_study(study, results));
+    PDMC_TRY(describe_geometry(problem, results));
+    PDMC_TRY(pdmc_kansa_create(problem, NULL, options->threads, &kansa));
+    PDMC_TRY(describe_solution(problem, kansa, options->threads, results));
+    PDMC_TRY(pdmc_kansa_affine(kansa, &model));
+    results->runtime.operators = model.operator_seconds;
+    results->runtime.energy_rows = model.energy_seconds;
+    PDMC_TRY(pdmc_monte_carlo(problem, &model, options, results));
+    const double sampled = pdmc_seconds();
+    PDMC_TRY(pdmc_summarise(options, results));
+    results->runtime.statistics = pdmc_seconds() - sampled;
+    results->runtime.total = pdmc_seconds() - start;
+done:
+    pdmc_affine_clear(&model);
+    pdmc_kansa_destroy(&kansa);
+    if (status != PDMC_OK) pdmc_results_clear(results);
+    return status;
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pdmc/affine.h"
+
+#include "base/base_impl.h"
+
+void pdmc_affine_clear(pdmc_affine *model)
+{
+    pdmc_free(model->term_weight);
+    pdmc_free(model->modulus_weight);
+    for (int l = 0; l < 2; l++) pdmc_free(model->solution[l]);
+    pdmc_free(model->stress_intensity);
+    pdmc_ring_rule_clear(&model->energy_rings);
+    for (int d = 0; model->crossings && d < model->tips * model->angles; d++) {
+        pdmc_free(model->crossings[d].row);
+        pdmc_free(model->crossings[d].ring);
+    }
+    pdmc_free(model->crossings);
+    if (model->discretisation) model->verbs->destroy(model->discretisation);
+    *model = (pdmc_affine){0};
+}

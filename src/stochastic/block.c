@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stochastic/block.h"
+
+#include "base/base_impl.h"
+#include "pdmc/fracture.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <string.h>
+
+enum { B = PDMC_BLOCK };
+
+static int most_bonds(const pdmc_affine *model)
+{
+    int most = 0;
+    for (int d = 0; d < model->tips * model->angles; d++)
+        if (model->crossings[d].bonds > most) most = model->crossings[d].bonds;
+    return most;
+}
+
+static pdmc_status allocate(pdmc_block *block)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_affine *model = block->model;
+    const int rings = model->energy_rings.rings, each = model->bins + rings;
+    const size_t unknowns = (size_t)model->unknowns;
+    PDMC_NEW(block->numbers, B * (size_t)each);
+    PDMC_NEW(block->xi, B * (size_t)model->terms);
+    PDMC_NEW(block->x, B * unknowns);
+    PDMC_NEW(block->term, B * unknowns);
+    PDMC_NEW(block->next, B * unknowns);
+    PDMC_NEW(block->stretch, B * (size_t)most_bonds(model));
+    PDMC_NEW(block->intensity, B * 2 * (size_t)model->tips);
+    PDMC_NEW(block->energy, B * (size_t)(model->tips * model->angles));
+    for (int s = 0; s < B; s++) {
+        block->draw[s].micromodulus = &block->numbers[s * each];
+        block->draw[s].ring_weight = block->draw[s].micromodulus + model->bins;
+        block->draw[s].xi = &block->xi[s * model->terms];
+    }
+done:
+    return status;
+}
+
+pdmc_status pdmc_block_create(const pdmc_problem *problem, const pdmc_affine *model, pdmc_block **block)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_block *made = NULL;
+    PDMC_NEW(made, 1);
+    made->problem = problem;
+    made->model = model;
+    PDMC_TRY(allocate(made));
+    *block = made;
+    made = NULL;
+done:
+    pdmc_block_destroy(&made);
+    return status;
+}
+
+void pdmc_block_destroy(pdmc_block **block)
+{
+    pdmc_block *old = *block;
+    if (!old) return;
+    pdmc_free(old->numbers);
+    pdmc_free(old->xi);
+    pdmc_free(old->x);
+    pdmc_free(old->term);
+    pdmc_free(old->next);
+    pdmc_free(old->stretch);
+    pdmc_free(old->intensity);
+    pdmc_free(old->energy);
+    pdmc_free(old);
+    *block = NULL;
+}
+
+void pdmc_block_draw(pdmc_block *block, int first, int count)
+{
+    for (int s = 0; s < B; s++) {
+        if (s < count) pdmc_draw_sample(block->problem, block->model, (uint64_t)(first + s), &block->draw[s]);
+        else pdmc_draw_mean(block->model, &block->draw[s]);
+        block->failure[s] = block->draw[s].effective_modulus > 0.0 ? PDMC_SAMPLE_OK : PDMC_SAMPLE_SOFT;
+        block->contraction[s] = NAN;
+    }
+}
+
+// K_0^-1 F: the mean operator's answer to each sample's loads.
+static void start(pdmc_block *block)
+{
+    const int n = block->model->unknowns;
+    memcpy(block->x, block->model->solution[0], (size_t)n * sizeof(double));
+    for (int s = 1; s < B; s++) memcpy(&block->x[s * n], block->x, (size_t)n * sizeof(double));
+    for (int s = 0; s < B; s++)
+        cblas_daxpy(n, block->draw[s].load_factor, block->model->solution[1], 1, &block->x[s * n], 1);
+}
+
+// The norm is that of the mean operator's response, |K_0 x|, in coordinates in which K_0 is orthogonal.
+static void add_term(pdmc_block *block)
+{
+    const int n = block->model->unknowns;
+    for (int s = 0; s < B; s++) {
+        double *term = &block->next[s * n];
+        cblas_dscal(n, -1.0, term, 1);
+        const double before = cblas_dnrm2(n, &block->term[s * n], 1), after = cblas_dnrm2(n, term, 1);
+        block->contraction[s] = after > 0.0 ? after / before : 0.0;
+        cblas_daxpy(n, 1.0, term, 1, &block->x[s * n], 1);
+    }
+}
+
+static pdmc_status expand(pdmc_block *block)
+{
+    const pdmc_affine *model = block->model;
+    memcpy(block->term, block->x, B * (size_t)model->unknowns * sizeof(double));
+    for (int j = 1; j <= block->problem->sampling.order && model->terms > 0; j++) {
+        const pdmc_status status = model->verbs->perturb(model, block->xi, block->term, block->next);
+        if (status != PDMC_OK) return status;
+        add_term(block);
+        double *swap = block->term;
+        block->term = block->next;
+        block->next = swap;
+    }
+    for (int s = 0; s < B; s++)
+        if (block->contraction[s] >= 1.0 && block->failure[s] == PDMC_SAMPLE_OK)
+            block->failure[s] = PDMC_SAMPLE_DIVERGED;
+    return PDMC_OK;
+}
+
+static pdmc_status solve_directly(pdmc_block *block, int count)
+{
+    const pdmc_affine *model = block->model;
+    for (int s = 0; s < count && model->terms > 0; s++) {
+        const double scale[2] = {1.0, block->draw[s].load_factor};
+        const pdmc_status status =
+            model->verbs->solve(model, block->draw[s].xi, scale, &block->x[s * model->unknowns]);
+        if (status == PDMC_ERR_SINGULAR) block->failure[s] = PDMC_SAMPLE_SINGULAR;
+        else if (status != PDMC_OK) return status;
+    }
+    return PDMC_OK;
+}
+
+pdmc_status pdmc_block_solve(pdmc_block *block, int count)
+{
+    const double begin = pdmc_seconds();
+    start(block);
+    const bool direct = block->problem->sampling.inverse == PDMC_INVERSE_DIRECT;
+    const pdmc_status status = direct ? solve_directly(block, count) : expand(block);
+    block->solve_seconds += pdmc_seconds() - begin;
+    return status;
+}
+
+// Sums the squared stretches over each ring's bonds, in their order, and weights the rings by each sample's c(r).
+static void sum_rings(const pdmc_block *block, const pdmc_crossing *crossing, pdmc_bonds bonds, double energy[])
+{
+    double ring_sum[PDMC_MAX_RINGS][B] = {{0.0}};
+    for (int b = 0; b < crossing->bonds; b++) {
+        const double *stretch = &block->stretch[(size_t)b * B];
+        double *sum = ring_sum[crossing->ring[b]];
+        if (bonds == PDMC_BONDS_ALL) {
+            for (int s = 0; s < B; s++) sum[s] += stretch[s] * stretch[s];
+        } else {
+            for (int s = 0; s < B; s++) sum[s] += stretch[s] > 0.0 ? stretch[s] * stretch[s] : 0.0;
+        }
+    }
+    for (int s = 0; s < B; s++) {
+        double sum = 0.0;
+        for (int q = 0; q < block->model->energy_rings.rings; q++) sum += block->draw[s].ring_weight[q] * ring_sum[q][s];
+        energy[s] = 0.5 * block->model->micromodulus * sum;
+    }
+}
+
+void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds)
+{
+    const double begin = pdmc_seconds();
+    const pdmc_affine *model = block->model;
+    const int n = model->unknowns;
+    if (model->tips > 0)
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, 2 * model->tips, B, n, 1.0, model->stress_intensity, n,
+                    block->x, n, 0.0, block->intensity, B);
+    for (int d = 0; d < model->tips * model->angles; d++) {
+        const pdmc_crossing *crossing = &model->crossings[d];
+        if (crossing->bonds > 0)
+            cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, crossing->bonds, B, n, 1.0, crossing->row, n, block->x, n,
+                        0.0, block->stretch, B);
+        sum_rings(block, crossing, bonds, &block->energy[d * B]);
+    }
+    block->energy_seconds += pdmc_seconds() - begin;
+}
+
+// K_I, K_II and Griffith's energy at every angle of one tip of one sample. The rows give K at the mean modulus, and a
+// stress is proportional to the modulus.
+static void store_griffith(const pdmc_block *block, int s, const pdmc_tip *tip, int t, const double angles[],
+                           double intensity[2], double griffith[])
+{
+    const double modulus = block->draw[s].effective_modulus;
+    for (int k = 0; k < 2; k++) intensity[k] = modulus * block->intensity[(2 * t + k) * B + s];
+    const double plane_modulus = modulus * pdmc_plane_modulus(&block->problem->material);
+    for (int a = 0; a < block->model->angles; a++)
+        griffith[a] = pdmc_griffith_energy(angles[a] - tip->direction, intensity, plane_modulus);
+}
+
+static void store_sample(const pdmc_block *block, int s, size_t sample, pdmc_results *results)
+{
+    const size_t tips = (size_t)results->tip_count, angles = (size_t)results->angle_count;
+    for (size_t t = 0; t < tips; t++) {
+        double *intensity = &results->stress_intensity[2 * (sample * tips + t)];
+        double *bond = &results->energy[PDMC_MEASURE_BOND][(sample * tips + t) * angles];
+        double *griffith = &results->energy[PDMC_MEASURE_GRIFFITH][(sample * tips + t) * angles];
+        store_griffith(block, s, &results->tips[t], (int)t, results->angles, intensity, griffith);
+        for (size_t a = 0; a < angles; a++) bond[a] = block->energy[(t * angles + a) * B + (size_t)s];
+        if (block->failure[s] == PDMC_SAMPLE_OK) continue;
+        intensity[0] = intensity[1] = NAN;
+        for (size_t a = 0; a < angles; a++) bond[a] = griffith[a] = NAN;
+    }
+}
+
+void pdmc_block_store(const pdmc_block *block, int first, int count, pdmc_results *results)
+{
+    for (int s = 0; s < count; s++) {
+        const size_t sample = (size_t)(first + s), bins = (size_t)results->bin_count;
+        results->load_factor[sample] = block->draw[s].load_factor;
+        results->effective_modulus[sample] = block->draw[s].effective_modulus;
+        results->contraction[sample] = block->contraction[s];
+        results->failure[sample] = (uint8_t)block->failure[s];
+        if (bins > 0)
+            memcpy(&results->micromodulus[sample * bins], block->draw[s].micromodulus, bins * sizeof(double));
+        store_sample(block, s, sample, results);
+    }
+}
+
+void pdmc_block_nominal(pdmc_block *block, pdmc_results *results)
+{
+    const int angles = results->angle_count, directions = results->tip_count * angles;
+    double intensity[2];
+    pdmc_block_draw(block, 0, 0);
+    start(block);
+    pdmc_block_energies(block, PDMC_BONDS_ALL);
+    for (int d = 0; d < directions; d++) results->nominal_bond_energy[d] = block->energy[d * B];
+    pdmc_block_energies(block, PDMC_BONDS_TENSILE);
+    for (int d = 0; d < directions; d++) results->nominal_bond_energy_tensile[d] = block->energy[d * B];
+    for (int t = 0; t < results->tip_count; t++)
+        store_griffith(block, 0, &results->tips[t], t, results->angles, intensity,
+                       &results->nominal_griffith_energy[t * angles]);
+    block->energy_seconds = 0.0;
+}
