@@ -4,7 +4,8 @@
 #include <gsl/gsl_cdf.h>
 #include <math.h>
 
-/// The probability that a sample of c(r) has at least one negative bin, 1 - (1 - Phi(-1/v))^bins, without cancellation.
+/// The probability that a sample of c(r) has at least one negative bin, 1 - (1 - Phi(-1/v))^bins, without cancellation;
+/// 0 for v = 0, Phi(-inf).
 static double negative_probability(const pdmc_uncertainty *u)
 {
     return -expm1(u->bins * log1p(-gsl_cdf_ugaussian_P(-1.0 / u->variation)));
@@ -14,7 +15,7 @@ static void warn_of_negative_bins(const pdmc_study_reader *reader, int index)
 {
     const pdmc_uncertainty *u = &reader->problem->uncertainties[index];
     const double harmless = 1e-6;
-    if (u->quantity != PDMC_QUANTITY_MICROMODULUS || u->variation == 0.0) return;
+    if (u->quantity != PDMC_QUANTITY_MICROMODULUS) return;
     const double probability = negative_probability(u);
     if (probability > harmless)
         pdmc_study_warn(reader, (pdmc_study_address){SECTION_RANDOM, index, "variation"},

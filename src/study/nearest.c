@@ -45,5 +45,5 @@ void pdmc_study_nearest_offer(pdmc_study_nearest *nearest, const char *candidate
     const size_t slips = distance(nearest->word, candidate);
     if (slips >= nearest->distance) return;
     nearest->distance = slips;
-    strcpy(nearest->best, candidate);
+    snprintf(nearest->best, sizeof nearest->best, "%s", candidate);
 }

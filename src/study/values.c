@@ -80,7 +80,7 @@ static pdmc_status read_integer(const pdmc_study_record *r, const pdmc_study_set
 
 static pdmc_status read_int(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value)
 {
-    long long wide;
+    long long wide = 0;
     const pdmc_status status = read_integer(r, s, value, &wide);
     if (status != PDMC_OK) return status;
     const int n = (int)wide; // the table's ranges are narrower than an int
@@ -90,7 +90,7 @@ static pdmc_status read_int(const pdmc_study_record *r, const pdmc_study_setting
 
 static pdmc_status read_seed(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value)
 {
-    long long wide;
+    long long wide = 0;
     const pdmc_status status = read_integer(r, s, value, &wide);
     if (status != PDMC_OK) return status;
     const uint64_t seed = (uint64_t)wide;

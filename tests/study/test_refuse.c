@@ -236,6 +236,8 @@ static void sides_loaded_or_held_wrongly(void **state)
          "study.cfg:6: supports[0]: holds nothing, must have x or y or both"},
         {LINE_SUPPORTS, "supports = ( { side = \"left\"; x = 0; },\n { side = \"left\"; x = 1; y = 0; } );",
          "study.cfg:7: supports[1].side: held in x by an earlier support already"},
+        {LINE_SUPPORTS, "supports = ( { side = \"left\"; y = 0; }, { side = \"left\"; y = 1; } );",
+         "study.cfg:6: supports[1].side: held in y by an earlier support already"},
         {LINE_SUPPORTS, "supports = ( { side = \"bottom\"; x = 0; y = 0; } );",
          "study.cfg:5: loads[1].traction: acts in y, in which a support holds the side; one of the two must go"},
     };

@@ -88,6 +88,12 @@ static void comments_and_texts_keep_the_lines(void **state)
     expect_refusal("seed/**/=/* \r\n */-1;\r\n", "study.cfg:1: seed: -1 is not allowed, must be >= 0");
 }
 
+static void a_comment_separates(void **state)
+{
+    (void)state;
+    expect_refusal("se/**/ed = 1;", "study.cfg:1: syntax error"); // no seed
+}
+
 static void texts_are_left_as_they_are(void **state)
 {
     (void)state;
@@ -138,6 +144,9 @@ static void errors_name_the_included_file(void **state)
     expect_refusal("@include \"inner/a.cfg\"\nplate = { width = 6.0; height = 4.0; }; material = { youngs_modulus = 1; "
                    "fracture_energy = 1; }; supports = ( { side = \"left\"; x = 0.1; } );",
                    "inner/b.cfg:2: sampling.sample: unknown setting, did you mean \"samples\"?");
+    expect_refusal(
+        "\n@include \"inner/b.cfg\" seeds = 2;",
+        "study.cfg:2: seeds: unknown setting, did you mean \"seed\"?"); // though b.cfg ends without a newline
     write_text("inner/b.cfg", "sampling = {\n\n};; = 2");
     expect_refusal(text, "inner/b.cfg:3: syntax error");
     write_text("inner/b.cfg", "@include \"c.cfg\"");
@@ -207,6 +216,7 @@ int main(void)
         cmocka_unit_test(syntax),
         cmocka_unit_test(what_is_never_closed),
         cmocka_unit_test(comments_and_texts_keep_the_lines),
+        cmocka_unit_test(a_comment_separates),
         cmocka_unit_test(texts_are_left_as_they_are),
         cmocka_unit_test(includes_are_relative_to_the_including_file),
         cmocka_unit_test(errors_name_the_included_file),

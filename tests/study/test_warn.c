@@ -58,12 +58,25 @@ static void energy_lengths_that_do_not_fit(void **state)
     expect(LINE_ENERGY, "energy = { horizon = 0.02; extension = 0.1; tips = []; };", "");
 }
 
+static void each_tip_has_its_own_crack(void **state)
+{
+    (void)state;
+    expect(LINE_CRACKS,
+           "cracks = ( { name = \"a\"; from = [-0.5, 0.0]; to = [0.5, 0.0]; }, { name = \"b\"; from = [1.0, 0.0]; "
+           "to = [1.2, 0.0]; } );\nenergy = { horizon = 0.06; };",
+           "study.cfg:5: energy.horizon: 0.06 is 0.6 of the crack's half length 0.1 at b.from: G_E then sees the whole "
+           "crack, not the tip (advised: at most 0.1)\n"
+           "study.cfg:5: energy.horizon: 0.06 is 0.6 of the crack's half length 0.1 at b.to: G_E then sees the whole "
+           "crack, not the tip (advised: at most 0.1)\n");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(negative_micromoduli),
         cmocka_unit_test(shapes_outside_the_sound_range),
         cmocka_unit_test(energy_lengths_that_do_not_fit),
+        cmocka_unit_test(each_tip_has_its_own_crack),
     };
     return cmocka_run_group_tests(tests, enter_folder, leave_folder);
 }
