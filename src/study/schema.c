@@ -17,6 +17,7 @@
 #define ANY {-INFINITY, INFINITY, false}
 #define POSITIVE {0.0, INFINITY, true}
 #define NOT_NEGATIVE {0.0, INFINITY, false}
+#define FROM_TO(low, high) {(low), (high), false}
 
 const pdmc_study_section pdmc_study_sections[SECTIONS] = {
     [SECTION_TOP] = {.name = "", .doc = "the study as a whole"},
@@ -96,11 +97,11 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .doc = "length of the longest bond; a: half of the shortest crack"},
     {SECTION_SOLVER, "shape", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(kansa.shape),
      .derive = pdmc_study_default_shape, .fallback = "6 spacing", .doc = "psi of the inverse multiquadric"},
-    {SECTION_SOLVER, "polynomial_degree", KIND_INT, .range = {0, 6}, .offset = IN_PROBLEM(kansa.polynomial_degree),
+    {SECTION_SOLVER, "polynomial_degree", KIND_INT, .range = FROM_TO(0, 6), .offset = IN_PROBLEM(kansa.polynomial_degree),
      .fallback = "3", .doc = "of the appended monomials"},
-    {SECTION_SOLVER, "crack_orders", KIND_INT, .range = {1, 20}, .offset = IN_PROBLEM(kansa.crack_orders),
+    {SECTION_SOLVER, "crack_orders", KIND_INT, .range = FROM_TO(1, 20), .offset = IN_PROBLEM(kansa.crack_orders),
      .fallback = "6", .doc = "orders of the analytic crack fields"},
-    {SECTION_SOLVER, "radial_points", KIND_INT, .range = {3, 12}, .offset = IN_PROBLEM(kansa.radial_points),
+    {SECTION_SOLVER, "radial_points", KIND_INT, .range = FROM_TO(3, 12), .offset = IN_PROBLEM(kansa.radial_points),
      .fallback = "6", .doc = "rings on which the operator is sampled for a random c(r)"},
 
     {SECTION_RANDOM, "quantity", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, quantity), .choices = QUANTITIES,
@@ -108,7 +109,7 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_RANDOM, "model", KIND_CHOICE, .offset = NOT_STORED, .choices = CHOICES("radial_noise"),
      .quantities = ONLY(PDMC_QUANTITY_MICROMODULUS), .fallback = "radial_noise",
      .doc = "independent normal c(r) in each bin of [0, horizon]"},
-    {SECTION_RANDOM, "bins", KIND_INT, .range = {1, 10000}, .offset = offsetof(pdmc_uncertainty, bins),
+    {SECTION_RANDOM, "bins", KIND_INT, .range = FROM_TO(1, 10000), .offset = offsetof(pdmc_uncertainty, bins),
      .quantities = ONLY(PDMC_QUANTITY_MICROMODULUS), .fallback = "100",
      .doc = "a physical input: the scatter of the effective modulus falls as 1/sqrt(bins)"},
     {SECTION_RANDOM, "distribution", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, distribution),
@@ -117,16 +118,16 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_RANDOM, "variation", KIND_REAL, .range = NOT_NEGATIVE, .offset = offsetof(pdmc_uncertainty, variation),
      .fallback = "0.20", .doc = "coefficient of variation"},
 
-    {SECTION_SAMPLING, "samples", KIND_INT, .range = {1, 100000000}, .offset = IN_PROBLEM(sampling.samples),
+    {SECTION_SAMPLING, "samples", KIND_INT, .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.samples),
      .fallback = "1000", .doc = "a smaller number is a prefix of a larger one"},
     {SECTION_SAMPLING, "inverse", KIND_CHOICE, .offset = IN_PROBLEM(sampling.inverse), .choices = INVERSES,
      .fallback = "neumann", .doc = "how each sample is solved"},
-    {SECTION_SAMPLING, "order", KIND_INT, .range = {0, 8}, .offset = IN_PROBLEM(sampling.order), .fallback = "4",
+    {SECTION_SAMPLING, "order", KIND_INT, .range = FROM_TO(0, 8), .offset = IN_PROBLEM(sampling.order), .fallback = "4",
      .doc = "of the Neumann expansion"},
 
     {SECTION_ENERGY, "tips", KIND_TIPS, .offset = NOT_STORED, .fallback = "all tips",
      .doc = "[\"<crack>.from\", \"<crack>.to\", ...]"},
-    {SECTION_ENERGY, "angles", KIND_INT, .range = {4, 3600}, .offset = IN_PROBLEM(energy.angles), .fallback = "72",
+    {SECTION_ENERGY, "angles", KIND_INT, .range = FROM_TO(4, 3600), .offset = IN_PROBLEM(energy.angles), .fallback = "72",
      .doc = "directions phi_k = 2 pi k / angles"},
     {SECTION_ENERGY, "horizon", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(energy.horizon),
      .derive = pdmc_study_default_energy_horizon, .fallback = "solver.horizon",
