@@ -100,6 +100,9 @@ static int write_results(const arguments *given, const pdmc_results *results, co
     if (status != PDMC_OK) return fail(status);
     if (!given->quiet) {
         if (pdmc_view_table(results, stdout) != PDMC_OK) return EX_IOERR;
+        if (results->solver.condition > 1e13)
+            fprintf(stderr, "pdmc: warning: condition number %.1e is past 1e13: take a smaller solver.shape\n",
+                    results->solver.condition);
         fprintf(stderr, "written: %s\n", path);
     }
     if (results->status != PDMC_RUN_INTERRUPTED) return EX_OK;

@@ -96,7 +96,7 @@ static pdmc_status factor(pdmc_kansa *kansa)
     info = LAPACKE_dtrcon(LAPACK_COL_MAJOR, '1', 'U', 'N', n, kansa->r, n, &reciprocal);
     if (info != 0) PDMC_FAIL(PDMC_ERR_EXTERN, "LAPACKE_dtrcon returned %d", info);
     kansa->condition = 1.0 / reciprocal;
-    if (kansa->rank < n || reciprocal < DBL_EPSILON)
+    if (kansa->rank < n || reciprocal < 4.0 * DBL_EPSILON) // rounding keeps a singular matrix near 1 / DBL_EPSILON
         PDMC_FAIL(PDMC_ERR_SINGULAR,
                   "the collocation matrix has rank %d of %d and condition %.1e: take a smaller solver.shape or a larger "
                   "solver.spacing",
