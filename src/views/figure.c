@@ -18,8 +18,8 @@ static void put_characters(const pdmc_figure *figure, const char *text)
 {
     for (const char *c = text; *c; c++) {
         if (strchr("_^{}@&~\\", *c)) fputc('\\', figure->script);
-        if (*c == '\'') fputc('\'', figure->script);
-        fputc(iscntrl((unsigned char)*c) ? ' ' : *c, figure->script);
+        if (*c == '\'') fputs("’", figure->script); // gnuplot 5.4 misreads a string that begins with a quoted quote
+        else fputc(iscntrl((unsigned char)*c) ? ' ' : *c, figure->script);
     }
 }
 
@@ -38,10 +38,11 @@ void pdmc_figure_label(const pdmc_figure *figure, const char *what, const char *
     fprintf(figure->script, "%s'\n", after);
 }
 
-/// The name of a file: no enhanced text here, and no way to write a control character.
+/// The name of a file: no enhanced text here, and no way to write a control character. It begins with a slash or a
+/// point, as a string may not begin with a quote.
 static void put_output(const pdmc_figure *figure, const pdmc_whole_file *file)
 {
-    fputs("set output '", figure->script);
+    fprintf(figure->script, "set output '%s", file->temporary[0] == '/' ? "" : "./");
     for (const char *c = file->temporary; *c; c++) {
         if (*c == '\'') fputc('\'', figure->script);
         fputc(*c, figure->script);
@@ -51,11 +52,12 @@ static void put_output(const pdmc_figure *figure, const pdmc_whole_file *file)
 
 static const char *const settings =
     "set encoding utf8\n"
+    "set minussign\n"
     "set border 3 linewidth 1.2\n"
     "set tics nomirror out scale 0.8\n"
     "set style line 100 linecolor '#d8d8d8' linewidth 0.7\n"
     "set grid back linestyle 100\n"
-    "set key top right Left reverse samplen 2 spacing 1.25\n"
+    "set key top right Left reverse samplen 1.8 spacing 1.25\n"
     "set title font ',20'\n"
     "set style fill transparent solid 0.25 noborder\n";
 
@@ -160,9 +162,9 @@ static pdmc_status check_drawn(const pdmc_whole_file *file)
 pdmc_status pdmc_figure_draw(pdmc_figure *figure)
 {
     pdmc_status status = PDMC_OK;
-    fputs("set terminal svg enhanced rounded size 1600,1100 dynamic font 'sans-serif,28' linewidth 2.8 background 'white'\n",
-          figure->script);
-    fputs("set title font ',25'\n", figure->script);
+    // A point of a font is a pixel here, and 4/3 of one in PNG.
+    fputs("set terminal svg enhanced rounded size 1600,1100 dynamic font 'sans-serif,22' fontscale 1.33 linewidth 2.8 "
+          "background 'white'\n", figure->script);
     put_output(figure, &figure->svg);
     fputs("replot\nunset output\n", figure->script);
     if (fflush(figure->script) != 0 || ferror(figure->script)) {

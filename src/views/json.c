@@ -228,10 +228,9 @@ static json_t *everything(const pdmc_results *r)
 pdmc_status pdmc_view_json(const pdmc_results *results, FILE *stream)
 {
     json_t *object = everything(results);
-    if (!object) return pdmc_raise(PDMC_ERR_NOMEM, "out of memory for the JSON of %d tips", results->tip_count);
-    const int failed = json_dumpf(object, stream, JSON_COMPACT | JSON_REAL_PRECISION(17));
+    const int failed = object ? json_dumpf(object, stream, JSON_COMPACT | JSON_REAL_PRECISION(17)) : -1;
     json_decref(object);
-    fputc('\n', stream);
-    if (failed || fflush(stream) != 0 || ferror(stream)) return pdmc_raise(PDMC_ERR_IO, "the JSON cannot be written");
-    return PDMC_OK;
+    if (!failed) fputc('\n', stream);
+    if (fflush(stream) != 0 || ferror(stream)) return pdmc_raise(PDMC_ERR_IO, "the JSON cannot be written");
+    return failed ? pdmc_raise(PDMC_ERR_NOMEM, "out of memory for the JSON of %d tips", results->tip_count) : PDMC_OK;
 }

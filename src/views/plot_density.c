@@ -28,8 +28,8 @@ static void put_steps(const pdmc_results *r, pdmc_measure measure, size_t at, in
     fprintf(script, "%.9g 0 0 0\nEOD\n", edges[bins]);
 }
 
-/// Where the largest of the densities ends, and where the energies do.
-static void put_ranges(const pdmc_results *r, pdmc_measure measure, const size_t at[SHOWN], FILE *script)
+/// Sets the axes to where the densities and the energies end; returns the largest energy.
+static double put_ranges(const pdmc_results *r, pdmc_measure measure, const size_t at[SHOWN], FILE *script)
 {
     const size_t bins = (size_t)r->histogram_bins;
     double top = 0.0, right = 0.0;
@@ -39,19 +39,22 @@ static void put_ranges(const pdmc_results *r, pdmc_measure measure, const size_t
         for (size_t b = 0; b < bins; b++) top = fmax(top, finite_or(s->density[at[i] * bins + b].upper, 0.0));
     }
     if (right > 0.0) fprintf(script, "set xrange [0:%.9g]\n", 1.02 * right);
-    if (top > 0.0) fprintf(script, "set yrange [0:%.9g]\n", 1.08 * top);
-    if (r->fracture_energy < right) {
-        fprintf(script, "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead dashtype 2 linewidth 0.9 "
-                        "linecolor " PDMC_GREY "\n", r->fracture_energy, r->fracture_energy);
-        fprintf(script, "set label 'G_c' at first %.9g, graph 0.97 offset 0.6,0 textcolor " PDMC_GREY "\n",
-                r->fracture_energy);
-    }
+    if (top > 0.0) fprintf(script, "set yrange [0:%.9g]\n", 1.05 * top);
+    return right;
 }
 
+/// The fracture energy, where it is within the range, as a line that the legend explains.
+static void put_fracture_energy(const pdmc_results *r, FILE *script)
+{
+    fprintf(script, "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead dashtype 2 linewidth 0.9 "
+                    "linecolor " PDMC_GREY "\n", r->fracture_energy, r->fracture_energy);
+}
+
+// A no-break space follows an index: SVG drops an ordinary one there.
 void pdmc_draw_density(const pdmc_results *r, int tip, pdmc_measure measure, const pdmc_figure *figure)
 {
     FILE *script = figure->script;
-    char unit[PDMC_UNIT_SIZE];
+    char unit[PDMC_UNIT_SIZE], label[PDMC_UNIT_SIZE + sizeof r->tips[tip].name + 4];
     size_t at[SHOWN];
     double degrees[SHOWN];
     for (int i = 0; i < SHOWN; i++) {
@@ -60,16 +63,23 @@ void pdmc_draw_density(const pdmc_results *r, int tip, pdmc_measure measure, con
         degrees[i] = r->angles[k] * pdmc_degrees;
         put_steps(r, measure, at[i], i, script);
     }
-    put_ranges(r, measure, at, script);
-    pdmc_figure_label(figure, "title", "Energy release rate at tip ", r->tips[tip].name, "");
-    pdmc_results_unit(r, PDMC_UNIT_ENERGY, sizeof unit, unit);
-    pdmc_figure_label(figure, "xlabel", measure == PDMC_MEASURE_BOND ? "Bond energy G_E (" : "Griffith energy G (", unit, ")");
+    const bool has_line = r->fracture_energy < put_ranges(r, measure, at, script);
+    if (has_line) put_fracture_energy(r, script);
     pdmc_results_unit(r, PDMC_UNIT_DENSITY, sizeof unit, unit);
     pdmc_figure_label(figure, "ylabel", "Probability density (", unit, ")");
-    fputs("plot ", script);
+    pdmc_results_unit(r, PDMC_UNIT_ENERGY, sizeof unit, unit);
+    snprintf(label, sizeof label, "%s (%s)", r->tips[tip].name, unit);
+    pdmc_figure_label(figure, "xlabel", measure == PDMC_MEASURE_BOND ? "Bond energy G_E at " : "Griffith energy G at ",
+                      label, "");
+    fputs("set key outside top center horizontal maxcols 2\nplot ", script);
     for (int i = 0; i < SHOWN; i++)
-        fprintf(script, "$density%d using 1:3:4 with filledcurves linecolor %s title '%g %% confidence', "
-                        "$density%d using 1:2 with lines linecolor %s linewidth 1.2 title 'φ = %.4g°, %s'%s",
-                i, colours[i], 100.0 * r->confidence, i, colours[i], degrees[i],
-                i ? "45° off" : "straight ahead", i + 1 < SHOWN ? ", " : "\n");
+        fprintf(script, "$density%d using 1:3:4 with filledcurves linecolor %s notitle, ", i, colours[i]);
+    for (int i = 0; i < SHOWN; i++)
+        fprintf(script, "$density%d using 1:2 with lines linecolor %s linewidth 1.2 title 'φ = %.4g°, %s', ", i, colours[i],
+                degrees[i], i ? "45° off" : "straight ahead");
+    fprintf(script, "NaN with filledcurves linecolor " PDMC_GREY " title '%g %% confidence'", 100.0 * r->confidence);
+    if (has_line)
+        fprintf(script, ", NaN with lines dashtype 2 linewidth 0.9 linecolor " PDMC_GREY " title 'G_c = %.4g'",
+                r->fracture_energy);
+    fputc('\n', script);
 }

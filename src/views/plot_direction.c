@@ -18,7 +18,7 @@ void pdmc_draw_direction(const pdmc_results *r, int tip, const pdmc_figure *figu
 {
     FILE *script = figure->script;
     const double ahead = r->tips[tip].direction, centre = ahead * pdmc_degrees, half = half_range(r, tip);
-    fputs("$share << EOD\n", script);
+    fputs("set errorbars 0.6\n$share << EOD\n", script);
     for (int k = 0; k < r->angle_count; k++) {
         const pdmc_estimate *p = &r->direction[pdmc_place(r, tip, k)];
         fprintf(script, "%.9g %.9g %.9g %.9g\n", pdmc_degrees_around(r->angles[k], ahead), p->value, p->lower, p->upper);
@@ -33,7 +33,7 @@ void pdmc_draw_direction(const pdmc_results *r, int tip, const pdmc_figure *figu
     fprintf(script, "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead dashtype 2 linewidth 0.9 "
                     "linecolor " PDMC_GREY "\n", centre, centre);
     fprintf(script, "plot $share using 1:2 with boxes linecolor " PDMC_BLUE " title 'share of %d samples', "
-                    "$share using 1:($2>0?$2:NaN):3:4 with yerrorbars pointtype 0 linewidth 1 linecolor 'black' "
+                    "$share using 1:($2>0?$2:NaN):3:4 with yerrorbars pointtype 7 pointsize 0.3 linewidth 1 linecolor 'black' "
                     "title '%g %% confidence', NaN with lines dashtype 2 linewidth 0.9 linecolor " PDMC_GREY
                     " title 'straight ahead'\n", r->sample_count - r->failed_count, 100.0 * r->confidence);
 }

@@ -75,14 +75,14 @@ void pdmc_draw_plate(const pdmc_results *r, const pdmc_figure *figure)
     fprintf(script, "set size ratio -1\nset key outside right top\nset offsets graph 0.03, graph 0.03, graph 0.03, graph 0.03\n"
                     "plot $plate with lines linecolor 'black' linewidth 1 title 'plate'");
     if (r->field.node_count > 0)
-        fprintf(script, ", $nodes using 1:2 with points pointtype 7 pointsize 0.35 linecolor '#b0b0b0' title 'nodes', "
-                        "$nodes using 3:4 with points pointtype 7 pointsize 0.5 linecolor " PDMC_BLUE
+        fprintf(script, ", $nodes using 1:2 with points pointtype 7 pointsize 0.45 linecolor '#b8b8b8' title 'nodes', "
+                        "$nodes using 3:4 with points pointtype 7 pointsize 0.6 linecolor " PDMC_BLUE
                         " title 'displaced × %g'", scale);
     if (r->crack_count > 0) {
         fprintf(script, ", $cracks with lines linecolor 'black' linewidth 2.5 title 'crack'");
         if (r->field.face_points > 0)
-            fprintf(script, ", $faces with filledcurves closed fillstyle solid 0.5 border linecolor " PDMC_VERMILION
-                            " linewidth 1.2 title 'opened × %g'", scale);
+            fprintf(script, ", $faces with filledcurves closed fillcolor " PDMC_VERMILION
+                            " fillstyle solid 0.4 border linecolor " PDMC_VERMILION " title 'opened × %g'", scale);
     }
     fputc('\n', script);
 }

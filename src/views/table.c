@@ -2,9 +2,8 @@
 #include "base/base_impl.h"
 #include "views/views_impl.h"
 
-#include <errno.h>
+#include <ctype.h>
 #include <math.h>
-#include <string.h>
 
 enum { NUMBER_SIZE = 32 };
 
@@ -15,34 +14,45 @@ static const char *brief(char text[NUMBER_SIZE], double x)
     return text;
 }
 
+enum { LINE_SIZE = 99 };
+
+/// A text of the results as part of one line: what would move the cursor of a terminal becomes a space.
+static const char *line(char text[LINE_SIZE], const char *from)
+{
+    snprintf(text, LINE_SIZE, "%s", from);
+    for (char *c = text; *c; c++)
+        if (iscntrl((unsigned char)*c)) *c = ' ';
+    return text;
+}
+
 static void print_head(const pdmc_results *r, FILE *stream)
 {
-    char unit[PDMC_UNIT_SIZE];
+    char unit[PDMC_UNIT_SIZE], text[3][LINE_SIZE];
     pdmc_results_unit(r, PDMC_UNIT_ENERGY, sizeof unit, unit);
-    fprintf(stream, "%.98s\n", r->title);
-    fprintf(stream, "  computed %.32s by pdmc %.16s (%.10s), seed %llu, %d threads, %.1f s\n", r->date_and_time,
-            r->pdmc_version, r->git_sha1, (unsigned long long)r->seed, r->runtime.threads, r->runtime.total);
+    fprintf(stream, "%s\n", line(text[0], r->title));
+    fprintf(stream, "  computed %.20s by pdmc %.16s (%.10s), %d threads, %.1f s\n", line(text[0], r->date_and_time),
+            line(text[1], r->pdmc_version), line(text[2], r->git_sha1), r->runtime.threads, r->runtime.total);
     if (r->status == PDMC_RUN_INTERRUPTED)
         fprintf(stream, "  INTERRUPTED: these are the samples that were done until then\n");
-    fprintf(stream, "  %d samples, %d failed; brackets are intervals at %g %% confidence\n", r->sample_count,
-            r->failed_count, 100.0 * r->confidence);
+    fprintf(stream, "  %d samples from seed %llu, %d failed; [intervals] at %g %% confidence\n", r->sample_count,
+            (unsigned long long)r->seed, r->failed_count, 100.0 * r->confidence);
     fprintf(stream, "  the %s energy decides P(G > G_c) and the direction; G_c = %.6g %.20s\n",
-            pdmc_measure_title(r->measure), r->fracture_energy, unit);
+            pdmc_measure_title(r->measure), r->fracture_energy, line(text[0], unit));
     fprintf(stream, "  bond energies count %s\n", r->bonds == PDMC_BONDS_ALL ? "all bonds" : "bonds in tension only");
 }
 
 static void print_tip(const pdmc_results *r, const pdmc_tip *tip, FILE *stream)
 {
-    char unit[PDMC_UNIT_SIZE], stress[PDMC_UNIT_SIZE], n[6][NUMBER_SIZE];
+    char unit[PDMC_UNIT_SIZE], stress[PDMC_UNIT_SIZE], n[6][NUMBER_SIZE], text[2][LINE_SIZE];
     pdmc_results_unit(r, PDMC_UNIT_STRESS_INTENSITY, sizeof unit, unit);
     pdmc_results_unit(r, PDMC_UNIT_STRESS, sizeof stress, stress);
-    fprintf(stream, "\n%s at (%.6g, %.6g) %.12s, straight ahead %.6g deg\n", tip->name, tip->position[0],
-            tip->position[1], r->length_unit, tip->direction * pdmc_degrees);
+    fprintf(stream, "\n%.40s at (%.6g, %.6g) %.8s, straight ahead %.4g deg\n", line(text[0], tip->name),
+            tip->position[0], tip->position[1], line(text[1], r->length_unit), tip->direction * pdmc_degrees);
     fprintf(stream, "  at the mean  K_I = %s +- %s, K_II = %s +- %s %.20s\n", brief(n[0], tip->stress_intensity[0]),
             brief(n[1], tip->stress_intensity_error[0]), brief(n[2], tip->stress_intensity[1]),
-            brief(n[3], tip->stress_intensity_error[1]), unit);
+            brief(n[3], tip->stress_intensity_error[1]), line(text[0], unit));
     fprintf(stream, "               T = %s +- %s %.20s\n", brief(n[4], tip->t_stress), brief(n[5], tip->t_stress_error),
-            stress);
+            line(text[0], stress));
 }
 
 /// The largest shares, as many as fit a line and matter.
@@ -51,7 +61,7 @@ static void print_directions(const pdmc_results *r, int tip, FILE *stream)
     enum { SHOWN = 3 };
     const double least = 0.005;
     double limit = INFINITY;
-    fprintf(stream, "  most likely direction ");
+    fprintf(stream, "  most likely direction");
     for (int shown = 0, last = -1; shown < SHOWN; shown++) {
         int best = -1;
         for (int k = 0; k < r->angle_count; k++) {
@@ -103,16 +113,16 @@ static void print_energy(const pdmc_results *r, pdmc_measure measure, int tip, d
 static void print_energies(const pdmc_results *r, int tip, FILE *stream)
 {
     static const double turns[] = {0.0, 45.0, -45.0, 90.0, -90.0}; // from straight ahead, degrees
-    char unit[PDMC_UNIT_SIZE], scaled[PDMC_UNIT_SIZE + NUMBER_SIZE];
+    char unit[PDMC_UNIT_SIZE], scaled[PDMC_UNIT_SIZE + NUMBER_SIZE], text[LINE_SIZE], n[3][NUMBER_SIZE];
     const pdmc_estimate *p = &r->probability[tip];
     const double scale = energy_scale(r);
     pdmc_results_unit(r, PDMC_UNIT_ENERGY, sizeof unit, unit);
     if (scale == 1.0) snprintf(scaled, sizeof scaled, "%s", unit);
     else snprintf(scaled, sizeof scaled, "%.0e %s", scale, unit);
-    fprintf(stream, "  P(G > G_c) = %.4g [%.4g, %.4g]\n", p->value, p->lower, p->upper);
+    fprintf(stream, "  P(G > G_c) = %s [%s, %s]\n", brief(n[0], p->value), brief(n[1], p->lower), brief(n[2], p->upper));
     if (r->angle_count == 0) return;
     print_directions(r, tip, stream);
-    fprintf(stream, "  %-9.9s turn  angle  nominal     mean %21s       sd      5 %%     50 %%     95 %%\n", scaled, "");
+    fprintf(stream, "  %-9.9s turn  angle  nominal     mean %21s       sd      5 %%     50 %%     95 %%\n", line(text, scaled), "");
     for (int m = 0; m < PDMC_MEASURES; m++)
         for (size_t i = 0; i < sizeof turns / sizeof turns[0]; i++) print_energy(r, (pdmc_measure)m, tip, turns[i], stream);
 }
@@ -121,12 +131,12 @@ static void print_foot(const pdmc_results *r, FILE *stream)
 {
     const pdmc_solver_report *s = &r->solver;
     const pdmc_runtime *t = &r->runtime;
-    char unit[PDMC_UNIT_SIZE];
+    char unit[PDMC_UNIT_SIZE], text[2][LINE_SIZE];
     pdmc_results_unit(r, PDMC_UNIT_STRESS, sizeof unit, unit);
     fprintf(stream, "\nsolver   %d nodes, %d unknowns, %d equations, rank %d%s\n", s->nodes, s->unknowns, s->rows, s->rank,
             s->rank < s->unknowns ? " (DEFICIENT)" : "");
-    fprintf(stream, "         condition %.3g, largest residual %.3g %.20s, horizon %.4g, spacing %.4g %.12s\n", s->condition,
-            s->residual, unit, s->horizon, s->spacing, r->length_unit);
+    fprintf(stream, "         condition %.3g, largest residual %.3g %.20s, horizon %.4g, spacing %.4g %.8s\n", s->condition,
+            s->residual, line(text[0], unit), s->horizon, s->spacing, line(text[1], r->length_unit));
     fprintf(stream, "seconds  assembly %.2f, factorisation %.2f, operators %.2f, energy rows %.2f,\n", t->assembly,
             t->factorisation, t->operators, t->energy_rows);
     fprintf(stream, "         sampling %.2f, energy %.2f, statistics %.2f, output %.2f\n", t->sampling, t->energy,

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pdmc/views.h"
+
+#include "check.h"
+#include "results/made_up.h"
+#include "results/scratch.h"
+
+#include <sys/stat.h>
+
+static char *exported(const char *name)
+{
+    char path[512];
+    size_t size;
+    snprintf(path, sizeof path, "%s/csv/%s", scratch, name);
+    char *text = scratch_read(path, &size);
+    if (!text) fail_msg("%s was not written", path);
+    return text;
+}
+
+/// Every line has as many fields as the first; none of the made-up texts is quoted.
+static void check_table(const char *name, const char *header, int rows)
+{
+    char *text = exported(name);
+    int count = 0, commas = -1;
+    if (strncmp(text, header, strlen(header)) != 0) fail_msg("%s begins with %.*s", name, (int)strcspn(text, "\n"), text);
+    for (const char *line = text; *line; line += strcspn(line, "\n") + 1, count++) {
+        int here = 0;
+        for (const char *c = line; *c != '\n'; c++) here += *c == ',';
+        if (commas < 0) commas = here;
+        if (here != commas) fail_msg("%s: line %d has %d fields, not %d", name, count + 1, here + 1, commas + 1);
+    }
+    if (count != rows + 1) fail_msg("%s has %d rows, not %d", name, count - 1, rows);
+    free(text);
+}
+
+static void every_number_has_its_row(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_results(made_up_small);
+    CHECK_OK(pdmc_view_export(&r, scratch_path("csv")));
+    check_table("pdf.csv",
+                "tip,measure,angle[rad],bin_lower[N/cm],bin_upper[N/cm],density[cm/N],density_lower[cm/N],"
+                "density_upper[cm/N],count\n", 2 * 2 * 8 * 6);
+    check_table("quantiles.csv", "tip,measure,angle[rad],statistic,value[N/cm],lower[N/cm],upper[N/cm]\n", 2 * 2 * 8 * 5);
+    check_table("direction.csv", "tip,measure,angle[rad],probability,lower,upper\n", 2 * 8);
+    check_table("samples.csv",
+                "sample,failure,load_factor,effective_modulus,contraction,center.from.K_I[N/cm^(3/2)],"
+                "center.from.K_II[N/cm^(3/2)],center.from.bond_energy_max[N/cm],center.from.griffith_energy_max[N/cm],"
+                "center.to.K_I", 40);
+    check_table("energy_samples.csv", "sample,tip,angle[rad],bond_energy[N/cm],griffith_energy[N/cm]\n", 40 * 2 * 8);
+    pdmc_results_clear(&r);
+    assert_int_equal(scratch_empty(scratch_path("csv")), 5);
+    scratch_empty(scratch);
+}
+
+static void numbers_survive_exactly(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_results(made_up_small);
+    CHECK_OK(pdmc_view_export(&r, scratch_path("csv")));
+    char *text = exported("samples.csv"), *end;
+    const char *row = strstr(text, "\n7,none,");
+    assert_non_null(row);
+    CHECK_NEAR(strtod(row + strlen("\n7,none,"), &end), r.load_factor[7], 0.0);
+    CHECK_NEAR(strtod(end + 1, &end), r.effective_modulus[7], 0.0);
+    assert_non_null(strstr(text, "\n0,diverged,"));
+    free(text);
+    pdmc_results_clear(&r);
+    scratch_empty(scratch);
+}
+
+static void commas_and_quotes_are_quoted(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_results(made_up_small);
+    strcpy(r.tips[0].name, "a,\"b\"");
+    CHECK_OK(pdmc_view_export(&r, scratch_path("csv")));
+    char *text = exported("direction.csv");
+    assert_non_null(strstr(text, "\n\"a,\"\"b\"\"\",griffith_energy,"));
+    free(text);
+    pdmc_results_clear(&r);
+    scratch_empty(scratch);
+}
+
+static void too_many_energies_are_left_to_the_file(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_results((made_up_size){.cracks = 2, .angles = 2, .samples = 125001, .histogram_bins = 1});
+    CHECK_OK(pdmc_view_export(&r, scratch_path("csv")));
+    assert_int_not_equal(access(scratch_path("csv/energy_samples.csv"), F_OK), 0);
+    pdmc_results_clear(&r);
+    scratch_empty(scratch);
+}
+
+static void odd_results_are_exported(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_results((made_up_size){0});
+    CHECK_OK(pdmc_view_export(&r, scratch_path("csv")));
+    check_table("samples.csv", "sample,failure,load_factor,effective_modulus,contraction\n", 0);
+    CHECK_OK(pdmc_view_export(&r, scratch_path("csv"))); // a second time, over the first
+    CHECK_FAILS_CLEANLY(pdmc_view_export(&r, scratch_path("csv")), (void)0);
+    assert_int_equal(scratch_empty(scratch_path("csv")), 5);
+    pdmc_results_clear(&r);
+    scratch_empty(scratch);
+}
+
+static void a_bad_folder_is_named(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_results(made_up_small);
+    CHECK_STATUS(pdmc_view_export(&r, scratch_path("none/csv")), PDMC_ERR_CREATE);
+    assert_non_null(strstr(pdmc_last_error(), "no such folder"));
+    scratch_write(scratch_path("file"), 1, "x");
+    CHECK_STATUS(pdmc_view_export(&r, scratch_path("file")), PDMC_ERR_CREATE);
+    assert_non_null(strstr(pdmc_last_error(), "not a folder"));
+    assert_int_equal(mkdir(scratch_path("csv"), 0777), 0);
+    assert_int_equal(mkdir(scratch_path("csv/pdf.csv"), 0777), 0);
+    CHECK_STATUS(pdmc_view_export(&r, scratch_path("csv")), PDMC_ERR_CREATE);
+    pdmc_results_clear(&r);
+    scratch_empty(scratch);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_number_has_its_row),
+        cmocka_unit_test(numbers_survive_exactly),
+        cmocka_unit_test(commas_and_quotes_are_quoted),
+        cmocka_unit_test(too_many_energies_are_left_to_the_file),
+        cmocka_unit_test(odd_results_are_exported),
+        cmocka_unit_test(a_bad_folder_is_named),
+    };
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
+}

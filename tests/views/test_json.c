@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/captured.h"
+
+#include "results/made_up.h"
+
+#include <jansson.h>
+#include <string.h>
+
+static json_t *parsed(const pdmc_results *results)
+{
+    json_error_t error;
+    char *text = captured(pdmc_view_json, results);
+    json_t *object = json_loads(text, JSON_REJECT_DUPLICATES, &error);
+    if (!object) fail_msg("%s at column %d of %.80s", error.text, error.column, text);
+    free(text);
+    return object;
+}
+
+static void it_has_what_programs_ask(void **state)
+{
+    (void)state;
+    pdmc_results results = made_up_results(made_up_small);
+    json_t *object = parsed(&results), *tips = json_object_get(object, "tips"), *tip = json_array_get(tips, 0);
+    assert_string_equal(json_string_value(json_object_get(object, "title")), results.title);
+    assert_int_equal(json_integer_value(json_object_get(object, "samples")), 40);
+    assert_int_equal(json_integer_value(json_object_get(object, "failed")), 2);
+    assert_int_equal(json_integer_value(json_object_get(object, "seed")), 20110614);
+    assert_string_equal(json_string_value(json_object_get(object, "measure")), "griffith_energy");
+    assert_string_equal(json_string_value(json_object_get(json_object_get(object, "units"), "energy")), "N/cm");
+    assert_int_equal(json_array_size(tips), 2);
+    assert_string_equal(json_string_value(json_object_get(tip, "name")), "center.from");
+
+    json_t *energy = json_object_get(tip, "bond_energy"), *mean = json_object_get(energy, "mean");
+    const pdmc_energy_statistics *s = &results.statistics[PDMC_MEASURE_BOND];
+    assert_int_equal(json_array_size(mean), results.angle_count);
+    CHECK_NEAR(json_real_value(json_array_get(mean, 3)), s->mean[3].value, 0.0);
+    json_t *interval = json_array_get(json_object_get(energy, "mean_interval"), 3);
+    CHECK_NEAR(json_real_value(json_array_get(interval, 0)), s->mean[3].lower, 0.0);
+    CHECK_NEAR(json_real_value(json_array_get(interval, 1)), s->mean[3].upper, 0.0);
+    json_t *median = json_object_get(json_object_get(energy, "quantiles"), "0.50");
+    CHECK_NEAR(json_real_value(json_array_get(median, 3)), s->quantiles[3 * PDMC_QUANTILES + 1].value, 0.0);
+    json_t *direction = json_object_get(tip, "direction_of_growth");
+    assert_int_equal(json_array_size(json_object_get(direction, "upper")), results.angle_count);
+    CHECK_NEAR(json_real_value(json_object_get(json_object_get(tip, "probability"), "lower")), results.probability[0].lower,
+               0.0);
+    assert_int_equal(json_integer_value(json_object_get(json_object_get(object, "solver"), "rank")), 650);
+    CHECK_NEAR(json_real_value(json_object_get(json_object_get(object, "runtime"), "total")), 6.7, 0.0);
+    json_decref(object);
+    pdmc_results_clear(&results);
+}
+
+static void what_is_no_number_is_null(void **state)
+{
+    (void)state;
+    pdmc_results results = made_up_results(made_up_small);
+    results.statistics[0].mean[0] = (pdmc_estimate){1.0, -INFINITY, NAN};
+    json_t *object = parsed(&results), *tip = json_array_get(json_object_get(object, "tips"), 0);
+    json_t *interval = json_array_get(json_object_get(json_object_get(tip, "bond_energy"), "mean_interval"), 0);
+    assert_true(json_is_null(json_array_get(interval, 0)));
+    assert_true(json_is_null(json_array_get(interval, 1)));
+    json_decref(object);
+    pdmc_results_clear(&results);
+}
+
+static void odd_texts_and_seeds_are_written(void **state)
+{
+    (void)state;
+    pdmc_results results = made_up_results((made_up_size){0});
+    results.title[0] = (char)0xff; // not UTF-8
+    results.seed = UINT64_MAX;
+    json_t *object = parsed(&results);
+    assert_int_equal(json_string_value(json_object_get(object, "title"))[0], '?');
+    assert_string_equal(json_string_value(json_object_get(object, "seed")), "18446744073709551615");
+    assert_int_equal(json_array_size(json_object_get(object, "tips")), 0);
+    json_decref(object);
+    pdmc_results_clear(&results);
+}
+
+static void a_full_disk_is_seen(void **state)
+{
+    (void)state;
+    pdmc_results results = made_up_results(made_up_small);
+    check_full(pdmc_view_json, &results);
+    pdmc_results_clear(&results);
+}
+
+static long countdown;
+
+static void *malloc_until(size_t size)
+{
+    return countdown-- > 0 ? malloc(size) : NULL;
+}
+
+/// jansson has its own memory: each of its allocations is refused in turn.
+static void refused_memory_is_reported(void **state)
+{
+    (void)state;
+    pdmc_results results = made_up_results((made_up_size){.cracks = 1, .angles = 2, .samples = 3, .histogram_bins = 1});
+    FILE *stream = fopen("/dev/null", "w");
+    pdmc_status status = PDMC_ERR_NOMEM;
+    json_set_alloc_funcs(malloc_until, free);
+    for (long allowed = 0; status == PDMC_ERR_NOMEM; allowed++) {
+        countdown = allowed;
+        status = pdmc_view_json(&results, stream);
+    }
+    json_set_alloc_funcs(malloc, free);
+    if (status != PDMC_OK) fail_msg("%s", pdmc_last_error());
+    fclose(stream);
+    pdmc_results_clear(&results);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(it_has_what_programs_ask),     cmocka_unit_test(what_is_no_number_is_null),
+        cmocka_unit_test(odd_texts_and_seeds_are_written), cmocka_unit_test(a_full_disk_is_seen),
+        cmocka_unit_test(refused_memory_is_reported),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

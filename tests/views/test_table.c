@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/captured.h"
+
+#include "results/made_up.h"
+
+#include <locale.h>
+#include <string.h>
+
+enum { COLUMNS = 100 };
+
+static void check_width(const char *text)
+{
+    for (const char *line = text; *line;) {
+        const size_t length = strcspn(line, "\n");
+        if (length > COLUMNS) fail_msg("%zu columns: %.*s", length, (int)length, line);
+        line += length + (line[length] == '\n');
+    }
+}
+
+static void it_says_what_a_person_asks(void **state)
+{
+    (void)state;
+    pdmc_results results = made_up_results(made_up_small);
+    char *text = captured(pdmc_view_table, &results);
+    const char *const parts[] = {
+        "Centre crack under uncertain tension\n", "40 samples from seed 20110614, 2 failed", "the Griffith energy decides",
+        "G_c = 0.2 N/cm", "\ncenter.from at (-0.5, 0) cm, straight ahead 180 deg", "K_I = 1.323 +- 0.00041",
+        "N/cm^(3/2)", "P(G > G_c) = ", "most likely direction 180 deg 100.0 %", "rank 650\n", "horizon 0.1", "sampling 3.80",
+    };
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++)
+        if (!strstr(text, parts[i])) fail_msg("the table does not say \"%s\":\n%s", parts[i], text);
+    assert_null(strstr(text, "INTERRUPTED"));
+    assert_null(strstr(text, "DEFICIENT"));
+    free(text);
+    results.status = PDMC_RUN_INTERRUPTED;
+    results.solver.rank--;
+    text = captured(pdmc_view_table, &results);
+    assert_non_null(strstr(text, "INTERRUPTED"));
+    assert_non_null(strstr(text, "rank 649 (DEFICIENT)"));
+    free(text);
+    pdmc_results_clear(&results);
+}
+
+static void scale_energies(pdmc_results *results, double factor)
+{
+    for (int m = 0; m < PDMC_MEASURES; m++)
+        for (int i = 0; i < results->tip_count * results->angle_count; i++) {
+            pdmc_energy_statistics *s = &results->statistics[m];
+            pdmc_estimate *const estimates[] = {&s->mean[i], &s->standard_deviation[i], &s->quantiles[3 * i],
+                                                &s->quantiles[3 * i + 1], &s->quantiles[3 * i + 2]};
+            for (int e = 0; e < 5; e++) {
+                estimates[e]->value *= factor;
+                estimates[e]->lower *= factor;
+                estimates[e]->upper *= factor;
+            }
+        }
+}
+
+static void it_fits_whatever_the_numbers(void **state)
+{
+    (void)state;
+    const double factors[] = {1.0, 1e-9, 1e3, 1e9};
+    for (size_t i = 0; i < sizeof factors / sizeof factors[0]; i++) {
+        pdmc_results results = made_up_results(made_up_paper);
+        scale_energies(&results, factors[i]);
+        for (int k = 0; k < results.tip_count * results.angle_count; k++) results.nominal_griffith_energy[k] *= factors[i];
+        for (int k = 0; k < results.tip_count * results.angle_count; k++)
+            results.nominal_bond_energy_tensile[k] *= factors[i];
+        results.seed = UINT64_MAX;
+        char *text = captured(pdmc_view_table, &results);
+        check_width(text);
+        free(text);
+        pdmc_results_clear(&results);
+    }
+}
+
+static void odd_results_are_shown(void **state)
+{
+    (void)state;
+    const made_up_size sizes[] = {
+        {0},
+        {.cracks = 1},
+        {.cracks = 1, .angles = 5, .samples = 3, .failed = 3, .radial_bins = 1, .histogram_bins = 1},
+    };
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        pdmc_results results = made_up_results(sizes[i]);
+        char *text = captured(pdmc_view_table, &results);
+        assert_null(strstr(text, "nan"));
+        check_width(text);
+        free(text);
+        pdmc_results_clear(&results);
+    }
+}
+
+static void texts_cannot_drive_the_terminal(void **state)
+{
+    (void)state;
+    pdmc_results results = made_up_results(made_up_small);
+    strcpy(results.title, "\033[2Jtwo\nlines");
+    strcpy(results.tips[0].name, "a\rb");
+    char *text = captured(pdmc_view_table, &results);
+    assert_memory_equal(text, " [2Jtwo lines\n", 14);
+    assert_null(strchr(text, '\033'));
+    assert_null(strchr(text, '\r'));
+    free(text);
+    pdmc_results_clear(&results);
+}
+
+static void a_full_disk_is_seen(void **state)
+{
+    (void)state;
+    pdmc_results results = made_up_results(made_up_small);
+    check_full(pdmc_view_table, &results);
+    pdmc_results_clear(&results);
+}
+
+/// Only where the machine has a locale with a comma.
+static void numbers_have_a_point_in_every_locale(void **state)
+{
+    (void)state;
+    if (!setlocale(LC_ALL, "de_DE.UTF-8") && !setlocale(LC_ALL, "fr_FR.UTF-8")) skip();
+    pdmc_results results = made_up_results(made_up_small);
+    char *text = captured(pdmc_view_table, &results);
+    assert_non_null(strstr(text, "G_c = 0.2 N/cm"));
+    free(text);
+    pdmc_results_clear(&results);
+    setlocale(LC_ALL, "C");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(it_says_what_a_person_asks),
+        cmocka_unit_test(it_fits_whatever_the_numbers),
+        cmocka_unit_test(odd_results_are_shown),
+        cmocka_unit_test(texts_cannot_drive_the_terminal),
+        cmocka_unit_test(a_full_disk_is_seen),
+        cmocka_unit_test(numbers_have_a_point_in_every_locale),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
