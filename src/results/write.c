@@ -146,8 +146,8 @@ static pdmc_status write_hdf5(const pdmc_results *results, pdmc_whole_file *whol
 {
     enum { GROWTH = 1 << 20 }; // bytes by which the image grows
     pdmc_status status = PDMC_OK;
-    const void *image;
-    size_t size;
+    const void *image = NULL;
+    size_t size = 0;
     hid_t file = H5I_INVALID_HID;
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
     PDMC_H5_TRY(H5Pset_fapl_core(access, GROWTH, false), PDMC_ERR_EXTERN, whole->path);
