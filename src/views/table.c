@@ -19,7 +19,7 @@ enum { LINE_SIZE = 99 };
 /// A text of the results as part of one line: what would move the cursor of a terminal becomes a space.
 static const char *line(char text[LINE_SIZE], const char *from)
 {
-    snprintf(text, LINE_SIZE, "%s", from);
+    snprintf(text, LINE_SIZE, "%.*s", LINE_SIZE - 1, from);
     for (char *c = text; *c; c++)
         if (iscntrl((unsigned char)*c)) *c = ' ';
     return text;
