@@ -91,7 +91,8 @@ pdmc_status pdmc_h5_write_numbers(hid_t object, const char *name, hid_t file_typ
     hid_t attribute = H5I_INVALID_HID;
     const hid_t space = count > 0 ? H5Screate_simple(1, &extent, NULL) : H5Screate(H5S_SCALAR);
     PDMC_H5_TRY(space, PDMC_ERR_EXTERN, name);
-    PDMC_H5_TRY(attribute = H5Acreate2(object, name, file_type, space, H5P_DEFAULT, H5P_DEFAULT), PDMC_ERR_EXTERN, name);
+    PDMC_H5_TRY(attribute = H5Acreate2(object, name, file_type, space, H5P_DEFAULT, H5P_DEFAULT), PDMC_ERR_EXTERN,
+                name);
     PDMC_H5_TRY(H5Awrite(attribute, memory_type, numbers), PDMC_ERR_EXTERN, name);
 
 done:
@@ -128,7 +129,8 @@ pdmc_status pdmc_h5_write_document(hid_t group, const char *name, const char *te
 {
     pdmc_status status = PDMC_OK;
     hid_t dataset = H5I_INVALID_HID;
-    const hid_t type = text_type(strlen(text) + 1), space = H5Screate(H5S_SCALAR), creation = H5Pcreate(H5P_DATASET_CREATE);
+    const hid_t type = text_type(strlen(text) + 1), space = H5Screate(H5S_SCALAR),
+                creation = H5Pcreate(H5P_DATASET_CREATE);
     PDMC_H5_TRY(H5Pset_obj_track_times(creation, false), PDMC_ERR_EXTERN, name);
     dataset = H5Dcreate2(group, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
     PDMC_H5_TRY(dataset, PDMC_ERR_EXTERN, name);

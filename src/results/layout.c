@@ -6,8 +6,10 @@
 #define MEMBER(name) offsetof(pdmc_results, name)
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
+// clang-format off
 // A row for each kind of place where numbers lie.
-#define NUMBER(path, kind, name, unit, text) {path, text, PDMC_KIND_##kind, PDMC_UNIT_##unit, MEMBER(name), 0, 0, 1, {0}}
+#define NUMBER(path, kind, name, unit, text)                                                                           \
+    {path, text, PDMC_KIND_##kind, PDMC_UNIT_##unit, MEMBER(name), 0, 0, 1, {0}}
 #define ARRAY(path, kind, type, name, unit, text, ...)                                                                 \
     {path, text, PDMC_KIND_##kind, PDMC_UNIT_##unit, MEMBER(name), sizeof(type), 0, 1, {__VA_ARGS__}}
 #define REALS(path, name, unit, text, ...) ARRAY(path, REAL, double, name, unit, text, __VA_ARGS__)
@@ -168,6 +170,8 @@ static const struct {
     [PDMC_DIM_BOUND] = {"lower, upper", 0, false, 2},
 };
 
+// clang-format on
+
 const char *pdmc_dimension_label(pdmc_dimension dimension)
 {
     return dimensions[dimension].label;
@@ -205,8 +209,10 @@ size_t pdmc_dataset_size(const pdmc_results *results, const pdmc_dataset *datase
 size_t pdmc_kind_size(pdmc_kind kind)
 {
     static const size_t sizes[] = {
-        [PDMC_KIND_REAL] = sizeof(double),   [PDMC_KIND_INT] = sizeof(int),
-        [PDMC_KIND_INT64] = sizeof(int64_t), [PDMC_KIND_BYTE] = sizeof(uint8_t),
+        [PDMC_KIND_REAL] = sizeof(double),
+        [PDMC_KIND_INT] = sizeof(int),
+        [PDMC_KIND_INT64] = sizeof(int64_t),
+        [PDMC_KIND_BYTE] = sizeof(uint8_t),
         [PDMC_KIND_NAME] = sizeof(((pdmc_tip *)NULL)->name),
     };
     return sizes[kind];

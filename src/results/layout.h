@@ -35,10 +35,10 @@ typedef struct {
     const char *path, *description;
     pdmc_kind kind;
     pdmc_unit unit;
-    size_t member;       // offset in the results: of the array's pointer, or of the number itself
-    size_t stride;       // bytes from one structure of the array to the next; 0 for a number that is no array
-    size_t column;       // offset of the column in the structure
-    size_t width;        // numbers of the column in one structure
+    size_t member; // offset in the results: of the array's pointer, or of the number itself
+    size_t stride; // bytes from one structure of the array to the next; 0 for a number that is no array
+    size_t column; // offset of the column in the structure
+    size_t width;  // numbers of the column in one structure
     pdmc_dimension axes[PDMC_MAX_RANK + 1];
 } pdmc_dataset;
 

@@ -136,8 +136,7 @@ static pdmc_status read_choice(hid_t object, const pdmc_attribute *attribute, vo
     int choice = 0;
     PDMC_TRY(pdmc_h5_read_text(object, attribute->name, &name));
     while (choice < attribute->choice_count && strcmp(name, attribute->choices[choice]) != 0) choice++;
-    if (choice == attribute->choice_count)
-        PDMC_FAIL(PDMC_ERR_DATA, "%s = \"%.64s\" is unknown", attribute->name, name);
+    if (choice == attribute->choice_count) PDMC_FAIL(PDMC_ERR_DATA, "%s = \"%.64s\" is unknown", attribute->name, name);
     memcpy(member, &choice, sizeof choice);
 
 done:
@@ -198,7 +197,8 @@ static pdmc_status check_file(const char *path)
     close(descriptor);
     if (!regular) return pdmc_raise(PDMC_ERR_NO_INPUT, "%s: not a file", path);
     if (H5Fis_hdf5(path) <= 0)
-        return pdmc_raise(PDMC_ERR_DATA, "%s: not an HDF5 file%s", path, properties.st_size == 0 ? " (it is empty)" : "");
+        return pdmc_raise(PDMC_ERR_DATA, "%s: not an HDF5 file%s", path,
+                          properties.st_size == 0 ? " (it is empty)" : "");
     return PDMC_OK;
 }
 

@@ -23,7 +23,8 @@ pdmc_status pdmc_raise_errno(const char *path, int error)
     case EEXIST: return pdmc_raise(PDMC_ERR_CREATE, "%s: exists already; --force overwrites it", path);
     case ENOSPC: return pdmc_raise(PDMC_ERR_IO, "%s: the disk is full; nothing was written", path);
     case EDQUOT: return pdmc_raise(PDMC_ERR_IO, "%s: the disk quota is used up; nothing was written", path);
-    case EFBIG: return pdmc_raise(PDMC_ERR_IO, "%s: larger than files may be here (ulimit -f); nothing was written", path);
+    case EFBIG:
+        return pdmc_raise(PDMC_ERR_IO, "%s: larger than files may be here (ulimit -f); nothing was written", path);
     default: break;
     }
     if (strerror_r(error, text, sizeof text) != 0) snprintf(text, sizeof text, "error %d", error);

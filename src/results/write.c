@@ -57,7 +57,8 @@ static pdmc_status write_numbers(hid_t object, const pdmc_results *results, cons
         pdmc_dataset_gather(dataset, size, numbers, packed);
         numbers = packed;
     }
-    if (size > 0) PDMC_H5_TRY(H5Dwrite(object, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers), PDMC_ERR_EXTERN, dataset->path);
+    if (size > 0)
+        PDMC_H5_TRY(H5Dwrite(object, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers), PDMC_ERR_EXTERN, dataset->path);
 
 done:
     pdmc_h5_close(type);

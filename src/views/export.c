@@ -245,8 +245,10 @@ pdmc_status pdmc_view_export(const pdmc_results *results, const char *folder)
         const char *name;
         csv_writer *write;
     } files[] = {
-        {"pdf.csv", write_pdf},         {"quantiles.csv", write_quantiles},
-        {"direction.csv", write_direction}, {"samples.csv", write_samples},
+        {"pdf.csv", write_pdf},
+        {"quantiles.csv", write_quantiles},
+        {"direction.csv", write_direction},
+        {"samples.csv", write_samples},
         {"energy_samples.csv", write_energy_samples},
     };
     const size_t all = sizeof files / sizeof files[0], count = energies_are_few(results) ? all : all - 1;

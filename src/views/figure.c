@@ -38,6 +38,12 @@ void pdmc_figure_label(const pdmc_figure *figure, const char *what, const char *
     fprintf(figure->script, "%s'\n", after);
 }
 
+void pdmc_figure_mark(const pdmc_figure *figure, double x)
+{
+    fprintf(figure->script, "set arrow from first %.9g, graph 0 to first %.9g, graph 1", x, x);
+    fputs(" nohead dashtype 2 linewidth 0.9 linecolor " PDMC_GREY "\n", figure->script);
+}
+
 /// The name of a file: no enhanced text here, and no way to write a control character. It begins with a slash or a
 /// point, as a string may not begin with a quote.
 static void put_output(const pdmc_figure *figure, const pdmc_whole_file *file)
@@ -50,16 +56,15 @@ static void put_output(const pdmc_figure *figure, const pdmc_whole_file *file)
     fputs("'\n", figure->script);
 }
 
-static const char *const settings =
-    "set encoding utf8\n"
-    "set minussign\n"
-    "set border 3 linewidth 1.2\n"
-    "set tics nomirror out scale 0.8\n"
-    "set style line 100 linecolor '#d8d8d8' linewidth 0.7\n"
-    "set grid back linestyle 100\n"
-    "set key top right Left reverse samplen 1.8 spacing 1.25\n"
-    "set title font ',20'\n"
-    "set style fill transparent solid 0.25 noborder\n";
+static const char *const settings = "set encoding utf8\n"
+                                    "set minussign\n"
+                                    "set border 3 linewidth 1.2\n"
+                                    "set tics nomirror out scale 0.8\n"
+                                    "set style line 100 linecolor '#d8d8d8' linewidth 0.7\n"
+                                    "set grid back linestyle 100\n"
+                                    "set key top right Left reverse samplen 1.8 spacing 1.25\n"
+                                    "set title font ',20'\n"
+                                    "set style fill transparent solid 0.25 noborder\n";
 
 static pdmc_status open_file(const char *folder, const char *stem, const char *ending, pdmc_whole_file *file)
 {
@@ -91,7 +96,8 @@ pdmc_status pdmc_figure_open(const char *folder, const char *stem, pdmc_figure *
         status = pdmc_raise_errno("the script of gnuplot", errno);
         goto done;
     }
-    fputs("set terminal pngcairo enhanced color rounded size 1600,1100 font 'Sans,22' linewidth 2.2 background 'white'\n",
+    fputs("set terminal pngcairo enhanced color rounded size 1600,1100 font 'Sans,22' linewidth 2.2 pointscale 2.2 "
+          "background 'white'\n",
           figure->script);
     put_output(figure, &figure->png);
     fputs(settings, figure->script);
@@ -162,9 +168,10 @@ static pdmc_status check_drawn(const pdmc_whole_file *file)
 pdmc_status pdmc_figure_draw(pdmc_figure *figure)
 {
     pdmc_status status = PDMC_OK;
-    // A point of a font is a pixel here, and 4/3 of one in PNG.
-    fputs("set terminal svg enhanced rounded size 1600,1100 dynamic font 'sans-serif,22' fontscale 1.33 linewidth 2.8 "
-          "background 'white'\n", figure->script);
+    // Three quarters of the PNG, since a point of a font is a pixel here and 4/3 of one there.
+    fputs("set terminal svg enhanced rounded size 1200,825 dynamic font 'sans-serif,22' linewidth 1.7 "
+          "background 'white'\n",
+          figure->script);
     put_output(figure, &figure->svg);
     fputs("replot\nunset output\n", figure->script);
     if (fflush(figure->script) != 0 || ferror(figure->script)) {

@@ -3,8 +3,8 @@
 
 /// A picture that gnuplot draws, as PNG and as SVG.
 ///
-/// A drawing is a script: settings, data blocks, and one `plot` command as the last. What comes from the results as text
-/// goes through pdmc_figure_text(), so that it cannot be a command.
+/// A drawing is a script: settings, data blocks, and one `plot` command as the last. What comes from the results as
+/// text goes through pdmc_figure_text(), so that it cannot be a command.
 
 #include "results/whole_file.h"
 #include "views/views_impl.h"
@@ -30,6 +30,9 @@ void pdmc_figure_text(const pdmc_figure *figure, const char *text);
 /// Writes "set <what> '<before><text><after>'"; `before` and `after` may use gnuplot's enhanced text.
 void pdmc_figure_label(const pdmc_figure *figure, const char *what, const char *before, const char *text,
                        const char *after);
+
+/// Marks a place on the x axis by a dashed line from bottom to top.
+void pdmc_figure_mark(const pdmc_figure *figure, double x);
 
 /// Runs gnuplot and lets both files appear.
 pdmc_status pdmc_figure_draw(pdmc_figure *figure);

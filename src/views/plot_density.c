@@ -43,14 +43,7 @@ static double put_ranges(const pdmc_results *r, pdmc_measure measure, const size
     return right;
 }
 
-/// The fracture energy, where it is within the range, as a line that the legend explains.
-static void put_fracture_energy(const pdmc_results *r, FILE *script)
-{
-    fprintf(script, "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead dashtype 2 linewidth 0.9 "
-                    "linecolor " PDMC_GREY "\n", r->fracture_energy, r->fracture_energy);
-}
-
-// A no-break space follows an index: SVG drops an ordinary one there.
+// A space of no width follows an index: librsvg drops spaces there, and this one is none.
 void pdmc_draw_density(const pdmc_results *r, int tip, pdmc_measure measure, const pdmc_figure *figure)
 {
     FILE *script = figure->script;
@@ -64,22 +57,22 @@ void pdmc_draw_density(const pdmc_results *r, int tip, pdmc_measure measure, con
         put_steps(r, measure, at[i], i, script);
     }
     const bool has_line = r->fracture_energy < put_ranges(r, measure, at, script);
-    if (has_line) put_fracture_energy(r, script);
+    if (has_line) pdmc_figure_mark(figure, r->fracture_energy);
     pdmc_results_unit(r, PDMC_UNIT_DENSITY, sizeof unit, unit);
     pdmc_figure_label(figure, "ylabel", "Probability density (", unit, ")");
     pdmc_results_unit(r, PDMC_UNIT_ENERGY, sizeof unit, unit);
     snprintf(label, sizeof label, "%s (%s)", r->tips[tip].name, unit);
-    pdmc_figure_label(figure, "xlabel", measure == PDMC_MEASURE_BOND ? "Bond energy G_E at " : "Griffith energy G at ",
-                      label, "");
+    pdmc_figure_label(figure, "xlabel",
+                      measure == PDMC_MEASURE_BOND ? "Bond energy G_E\u200b at " : "Griffith energy G at ", label, "");
     fputs("set key outside top center horizontal maxcols 2\nplot ", script);
     for (int i = 0; i < SHOWN; i++)
         fprintf(script, "$density%d using 1:3:4 with filledcurves linecolor %s notitle, ", i, colours[i]);
     for (int i = 0; i < SHOWN; i++)
-        fprintf(script, "$density%d using 1:2 with lines linecolor %s linewidth 1.2 title 'φ = %.4g°, %s', ", i, colours[i],
-                degrees[i], i ? "45° off" : "straight ahead");
+        fprintf(script, "$density%d using 1:2 with lines linecolor %s linewidth 1.2 title 'φ = %.4g°, %s', ", i,
+                colours[i], degrees[i], i ? "45° off" : "straight ahead");
     fprintf(script, "NaN with filledcurves linecolor " PDMC_GREY " title '%g %% confidence'", 100.0 * r->confidence);
     if (has_line)
-        fprintf(script, ", NaN with lines dashtype 2 linewidth 0.9 linecolor " PDMC_GREY " title 'G_c = %.4g'",
+        fprintf(script, ", NaN with lines dashtype 2 linewidth 0.9 linecolor " PDMC_GREY " title 'G_c\u200b = %.4g'",
                 r->fracture_energy);
     fputc('\n', script);
 }

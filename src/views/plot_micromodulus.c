@@ -11,7 +11,10 @@ void pdmc_draw_micromodulus(const pdmc_results *r, const pdmc_figure *figure)
     }
     fputs("EOD\nset title 'One realisation of the micromodulus (sample 0)'\n"
           "set xlabel 'Length of the bond r / δ'\nset ylabel 'c(r) / c_0'\nset xrange [0:1]\n"
-          "set key top right\nset offsets 0, 0, graph 0.12, graph 0.04\n", script);
-    fprintf(script, "plot $bins with lines linecolor " PDMC_BLUE " linewidth 1 title '%d bins', "
-                    "1 with lines dashtype 2 linewidth 1 linecolor " PDMC_GREY " title 'mean'\n", r->bin_count);
+          "set key top right\nset offsets 0, 0, graph 0.12, graph 0.04\n",
+          script);
+    fprintf(script,
+            "plot $bins with lines linecolor " PDMC_BLUE " linewidth 1 title '%d bins', "
+            "1 with lines dashtype 2 linewidth 1 linecolor " PDMC_GREY " title 'mean'\n",
+            r->bin_count);
 }

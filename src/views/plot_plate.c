@@ -57,8 +57,8 @@ static void put_faces(const pdmc_results *r, double scale, FILE *script)
 static void put_outline(const pdmc_results *r, FILE *script)
 {
     const double x = 0.5 * r->plate_width, y = 0.5 * r->plate_height;
-    fprintf(script, "$plate << EOD\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\nEOD\n", -x, -y, x, -y, x, y, -x,
-            y, -x, -y);
+    fprintf(script, "$plate << EOD\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\n%.9g %.9g\nEOD\n", -x, -y, x, -y, x, y,
+            -x, y, -x, -y);
 }
 
 void pdmc_draw_plate(const pdmc_results *r, const pdmc_figure *figure)
@@ -72,17 +72,22 @@ void pdmc_draw_plate(const pdmc_results *r, const pdmc_figure *figure)
     pdmc_figure_label(figure, "title", "", r->title, "");
     pdmc_figure_label(figure, "xlabel", "x (", r->length_unit, ")");
     pdmc_figure_label(figure, "ylabel", "y (", r->length_unit, ")");
-    fprintf(script, "set size ratio -1\nset key outside right top\nset offsets graph 0.03, graph 0.03, graph 0.03, graph 0.03\n"
-                    "plot $plate with lines linecolor 'black' linewidth 1 title 'plate'");
+    fprintf(script,
+            "set size ratio -1\nset key outside right top\nset offsets graph 0.03, graph 0.03, graph 0.03, graph 0.03\n"
+            "plot $plate with lines linecolor 'black' linewidth 1 title 'plate'");
     if (r->field.node_count > 0)
-        fprintf(script, ", $nodes using 1:2 with points pointtype 7 pointsize 0.45 linecolor '#b8b8b8' title 'nodes', "
-                        "$nodes using 3:4 with points pointtype 7 pointsize 0.6 linecolor " PDMC_BLUE
-                        " title 'displaced × %g'", scale);
+        fprintf(script,
+                ", $nodes using 1:2 with points pointtype 7 pointsize 0.26 linecolor '#b8b8b8' title 'nodes', "
+                "$nodes using 3:4 with points pointtype 7 pointsize 0.36 linecolor " PDMC_BLUE
+                " title 'displaced × %g'",
+                scale);
     if (r->crack_count > 0) {
         fprintf(script, ", $cracks with lines linecolor 'black' linewidth 2.5 title 'crack'");
         if (r->field.face_points > 0)
-            fprintf(script, ", $faces with filledcurves closed fillcolor " PDMC_VERMILION
-                            " fillstyle solid 0.4 border linecolor " PDMC_VERMILION " title 'opened × %g'", scale);
+            fprintf(script,
+                    ", $faces with filledcurves closed fillcolor " PDMC_VERMILION
+                    " fillstyle transparent solid 0.4 border linecolor " PDMC_VERMILION " title 'opened × %g'",
+                    scale);
     }
     fputc('\n', script);
 }

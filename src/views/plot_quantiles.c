@@ -11,7 +11,8 @@ static double bound(double bound, double value)
     return isfinite(bound) ? bound : value;
 }
 
-/// One turn of a quantile, and the band of its interval as one outline: out along the upper bound, back along the lower.
+/// One turn of a quantile, and the band of its interval as one outline: out along the upper bound, back along the
+/// lower.
 static void put_turn(const pdmc_results *r, const pdmc_estimate quantiles[], size_t q, FILE *script)
 {
     const int n = r->angle_count;
@@ -64,20 +65,24 @@ void pdmc_draw_quantiles(const pdmc_results *r, int tip, pdmc_measure measure, c
     for (size_t q = 0; q < PDMC_QUANTILES; q++) put_turn(r, quantiles, q, script);
     fputs("set polar\nset size square\nunset border\nunset xtics\nunset ytics\n"
           "set grid polar 0.5235987755982988 linestyle 100\nset ttics 0, 30 format '%g°' font ',18'\n"
-          "set key outside right top\n", script);
+          "set key outside right top\n",
+          script);
     put_crack(&r->tips[tip], put_rings(r, &r->tips[tip], quantiles, script), script);
     pdmc_figure_label(figure, "title",
                       measure == PDMC_MEASURE_BOND ? "Quantiles of the bond energy round tip "
                                                    : "Quantiles of the Griffith energy round tip ",
                       r->tips[tip].name, "");
-    pdmc_figure_label(figure, "key title", measure == PDMC_MEASURE_BOND ? "G_E (" : "G (", unit, ")");
+    pdmc_figure_label(figure, "key title", measure == PDMC_MEASURE_BOND ? "G_E\u200b (" : "G (", unit, ")");
     fputs("set key title left\nplot ", script);
     for (size_t i = 0; i < PDMC_QUANTILES; i++) {
         const size_t q = PDMC_QUANTILES - 1 - i; // the outermost is named first
-        fprintf(script, "$band%zu with filledcurves closed linecolor %s notitle, "
-                        "$turn%zu with lines linecolor %s linewidth 1.2 title '%g %%', ",
+        fprintf(script,
+                "$band%zu with filledcurves closed linecolor %s notitle, "
+                "$turn%zu with lines linecolor %s linewidth 1.2 title '%g %%', ",
                 q, colours[q], q, colours[q], 100.0 * pdmc_quantile_levels[q]);
     }
-    fprintf(script, "NaN with filledcurves linecolor " PDMC_GREY " title '%g %% confidence', "
-                    "NaN with lines linecolor 'black' linewidth 3 title 'crack'\n", 100.0 * r->confidence);
+    fprintf(script,
+            "NaN with filledcurves linecolor " PDMC_GREY " title '%g %% confidence', "
+            "NaN with lines linecolor 'black' linewidth 3 title 'crack'\n",
+            100.0 * r->confidence);
 }

@@ -79,7 +79,8 @@ static void print_directions(const pdmc_results *r, int tip, FILE *stream)
     fprintf(stream, "\n");
 }
 
-/// The power of ten that energies are shown in, so that a unit which makes them tiny or huge does not burst the columns.
+/// The power of ten that energies are shown in, so that a unit which makes them tiny or huge does not burst the
+/// columns.
 static double energy_scale(const pdmc_results *r)
 {
     double largest = 0.0;
@@ -119,12 +120,15 @@ static void print_energies(const pdmc_results *r, int tip, FILE *stream)
     pdmc_results_unit(r, PDMC_UNIT_ENERGY, sizeof unit, unit);
     if (scale == 1.0) snprintf(scaled, sizeof scaled, "%s", unit);
     else snprintf(scaled, sizeof scaled, "%.0e %s", scale, unit);
-    fprintf(stream, "  P(G > G_c) = %s [%s, %s]\n", brief(n[0], p->value), brief(n[1], p->lower), brief(n[2], p->upper));
+    fprintf(stream, "  P(G > G_c) = %s [%s, %s]\n", brief(n[0], p->value), brief(n[1], p->lower),
+            brief(n[2], p->upper));
     if (r->angle_count == 0) return;
     print_directions(r, tip, stream);
-    fprintf(stream, "  %-9.9s turn  angle  nominal     mean %21s       sd      5 %%     50 %%     95 %%\n", line(text, scaled), "");
+    fprintf(stream, "  %-9.9s turn  angle  nominal     mean %21s       sd      5 %%     50 %%     95 %%\n",
+            line(text, scaled), "");
     for (int m = 0; m < PDMC_MEASURES; m++)
-        for (size_t i = 0; i < sizeof turns / sizeof turns[0]; i++) print_energy(r, (pdmc_measure)m, tip, turns[i], stream);
+        for (size_t i = 0; i < sizeof turns / sizeof turns[0]; i++)
+            print_energy(r, (pdmc_measure)m, tip, turns[i], stream);
 }
 
 static void print_foot(const pdmc_results *r, FILE *stream)
@@ -133,10 +137,10 @@ static void print_foot(const pdmc_results *r, FILE *stream)
     const pdmc_runtime *t = &r->runtime;
     char unit[PDMC_UNIT_SIZE], text[2][LINE_SIZE];
     pdmc_results_unit(r, PDMC_UNIT_STRESS, sizeof unit, unit);
-    fprintf(stream, "\nsolver   %d nodes, %d unknowns, %d equations, rank %d%s\n", s->nodes, s->unknowns, s->rows, s->rank,
-            s->rank < s->unknowns ? " (DEFICIENT)" : "");
-    fprintf(stream, "         condition %.3g, largest residual %.3g %.20s, horizon %.4g, spacing %.4g %.8s\n", s->condition,
-            s->residual, line(text[0], unit), s->horizon, s->spacing, line(text[1], r->length_unit));
+    fprintf(stream, "\nsolver   %d nodes, %d unknowns, %d equations, rank %d%s\n", s->nodes, s->unknowns, s->rows,
+            s->rank, s->rank < s->unknowns ? " (DEFICIENT)" : "");
+    fprintf(stream, "         condition %.3g, largest residual %.3g %.20s, horizon %.4g, spacing %.4g %.8s\n",
+            s->condition, s->residual, line(text[0], unit), s->horizon, s->spacing, line(text[1], r->length_unit));
     fprintf(stream, "seconds  assembly %.2f, factorisation %.2f, operators %.2f, energy rows %.2f,\n", t->assembly,
             t->factorisation, t->operators, t->energy_rows);
     fprintf(stream, "         sampling %.2f, energy %.2f, statistics %.2f, output %.2f\n", t->sampling, t->energy,

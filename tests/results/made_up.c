@@ -9,10 +9,10 @@
 
 static const double pi = 3.14159265358979323846;
 
-const made_up_size made_up_small = {.cracks = 1, .angles = 8, .samples = 40, .failed = 2, .radial_bins = 5,
-                                    .histogram_bins = 6};
-const made_up_size made_up_paper = {.cracks = 1, .angles = 72, .samples = 6000, .failed = 0, .radial_bins = 100,
-                                    .histogram_bins = 60};
+const made_up_size made_up_small = {
+    .cracks = 1, .angles = 8, .samples = 40, .failed = 2, .radial_bins = 5, .histogram_bins = 6};
+const made_up_size made_up_paper = {
+    .cracks = 1, .angles = 72, .samples = 6000, .failed = 0, .radial_bins = 100, .histogram_bins = 60};
 
 enum { TIPS_A_CRACK = 2, GRID = 17, FACE_POINTS = 41 };
 static const double half_width = 2.5, half_crack = 0.5;
@@ -60,10 +60,24 @@ static void make_study(pdmc_results *r)
     r->energy_horizon = 0.1;
     r->measure = PDMC_MEASURE_GRIFFITH;
     r->bonds = PDMC_BONDS_TENSILE;
-    r->solver = (pdmc_solver_report){.nodes = 289, .unknowns = 650, .rows = 1391, .rank = 650, .condition = 4.7e10,
-                                     .residual = 2.3e-4, .horizon = 0.1, .spacing = 0.3125};
-    r->runtime = (pdmc_runtime){.assembly = 0.41, .factorisation = 0.22, .operators = 1.3, .energy_rows = 0.35, .sampling = 3.8,
-                                .energy = 1.2, .statistics = 0.6, .output = 0.05, .total = 6.7, .threads = 2};
+    r->solver = (pdmc_solver_report){.nodes = 289,
+                                     .unknowns = 650,
+                                     .rows = 1391,
+                                     .rank = 650,
+                                     .condition = 4.7e10,
+                                     .residual = 2.3e-4,
+                                     .horizon = 0.1,
+                                     .spacing = 0.3125};
+    r->runtime = (pdmc_runtime){.assembly = 0.41,
+                                .factorisation = 0.22,
+                                .operators = 1.3,
+                                .energy_rows = 0.35,
+                                .sampling = 3.8,
+                                .energy = 1.2,
+                                .statistics = 0.6,
+                                .output = 0.05,
+                                .total = 6.7,
+                                .threads = 2};
 }
 
 static void make_tips(pdmc_results *r)
@@ -127,7 +141,8 @@ static void make_field(pdmc_results *r)
     }
     for (int i = 0; i < FACE_POINTS * r->crack_count; i++) {
         const double *crack = &r->cracks[i / FACE_POINTS * 4];
-        const double s = -cos(pi * (i % FACE_POINTS) / (FACE_POINTS - 1)), x = half_crack * s, opening = sqrt(1.0 - s * s);
+        const double s = -cos(pi * (i % FACE_POINTS) / (FACE_POINTS - 1)), x = half_crack * s,
+                     opening = sqrt(1.0 - s * s);
         field->face_position[2 * i] = x, field->face_position[2 * i + 1] = crack[1];
         for (int side = 0; side < 2; side++) {
             field->face_displacement[4 * i + 2 * side] = -1.0 / 3.0 * x;
@@ -276,14 +291,19 @@ static void make_probabilities(pdmc_results *r)
             r->direction[t * r->angle_count + k] = (pdmc_estimate){p, fmax(0.0, p - error), fmin(1.0, p + error)};
         }
         const double p = r->probability[t].value;
-        r->probability[t] = (pdmc_estimate){p, fmax(0.0, p - 0.02), p + 0.02 + r->failed_count / (double)r->sample_count};
+        r->probability[t] =
+            (pdmc_estimate){p, fmax(0.0, p - 0.02), p + 0.02 + r->failed_count / (double)r->sample_count};
     }
 }
 
 pdmc_results made_up_results(made_up_size size)
 {
-    pdmc_results r = {.crack_count = size.cracks, .tip_count = TIPS_A_CRACK * size.cracks, .angle_count = size.angles,
-                      .sample_count = size.samples, .failed_count = size.failed, .bin_count = size.radial_bins,
+    pdmc_results r = {.crack_count = size.cracks,
+                      .tip_count = TIPS_A_CRACK * size.cracks,
+                      .angle_count = size.angles,
+                      .sample_count = size.samples,
+                      .failed_count = size.failed,
+                      .bin_count = size.radial_bins,
                       .histogram_bins = size.histogram_bins};
     make_study(&r);
     make_tips(&r);

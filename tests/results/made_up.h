@@ -7,10 +7,10 @@
 #include "pdmc/results.h"
 
 typedef struct {
-    int cracks;    // 0 to 2; each has two tips
+    int cracks; // 0 to 2; each has two tips
     int angles;
     int samples;
-    int failed;    // of the samples; with any, some numbers are NaN and some bounds infinite
+    int failed; // of the samples; with any, some numbers are NaN and some bounds infinite
     int radial_bins;
     int histogram_bins;
 } made_up_size;

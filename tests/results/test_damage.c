@@ -185,12 +185,14 @@ static void a_compressed_copy_is_read(void **state)
     if (H5Zfilter_avail(H5Z_FILTER_DEFLATE) <= 0) skip();
     const char *path = scratch_path("compressed.h5");
     const hsize_t extents[] = {40}, chunk[] = {8};
-    const hid_t file = open_copy(path), creation = H5Pcreate(H5P_DATASET_CREATE), space = H5Screate_simple(1, extents, NULL);
+    const hid_t file = open_copy(path), creation = H5Pcreate(H5P_DATASET_CREATE),
+                space = H5Screate_simple(1, extents, NULL);
     const double ones[40] = {[7] = 1.0};
     H5Ldelete(file, "/samples/load_factor", H5P_DEFAULT);
     H5Pset_chunk(creation, 1, chunk);
     H5Pset_deflate(creation, 9);
-    const hid_t object = H5Dcreate2(file, "/samples/load_factor", H5T_IEEE_F64BE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+    const hid_t object =
+        H5Dcreate2(file, "/samples/load_factor", H5T_IEEE_F64BE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
     H5Dwrite(object, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, ones);
     H5Dclose(object);
     H5Sclose(space);

@@ -219,14 +219,10 @@ static void hdf5_is_silent_only_while_we_use_it(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_written_is_read),
-        cmocka_unit_test(long_texts_survive),
-        cmocka_unit_test(equal_results_make_equal_files),
-        cmocka_unit_test(impossible_results_are_refused),
-        cmocka_unit_test(refused_memory_is_reported),
-        cmocka_unit_test(every_dataset_says_its_unit),
-        cmocka_unit_test(units_are_the_studys),
-        cmocka_unit_test(hdf5_is_silent_only_while_we_use_it),
+        cmocka_unit_test(what_is_written_is_read),        cmocka_unit_test(long_texts_survive),
+        cmocka_unit_test(equal_results_make_equal_files), cmocka_unit_test(impossible_results_are_refused),
+        cmocka_unit_test(refused_memory_is_reported),     cmocka_unit_test(every_dataset_says_its_unit),
+        cmocka_unit_test(units_are_the_studys),           cmocka_unit_test(hdf5_is_silent_only_while_we_use_it),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

@@ -22,7 +22,8 @@ static void check_table(const char *name, const char *header, int rows)
 {
     char *text = exported(name);
     int count = 0, commas = -1;
-    if (strncmp(text, header, strlen(header)) != 0) fail_msg("%s begins with %.*s", name, (int)strcspn(text, "\n"), text);
+    if (strncmp(text, header, strlen(header)) != 0)
+        fail_msg("%s begins with %.*s", name, (int)strcspn(text, "\n"), text);
     for (const char *line = text; *line; line += strcspn(line, "\n") + 1, count++) {
         int here = 0;
         for (const char *c = line; *c != '\n'; c++) here += *c == ',';
@@ -40,13 +41,16 @@ static void every_number_has_its_row(void **state)
     CHECK_OK(pdmc_view_export(&r, scratch_path("csv")));
     check_table("pdf.csv",
                 "tip,measure,angle[rad],bin_lower[N/cm],bin_upper[N/cm],density[cm/N],density_lower[cm/N],"
-                "density_upper[cm/N],count\n", 2 * 2 * 8 * 6);
-    check_table("quantiles.csv", "tip,measure,angle[rad],statistic,value[N/cm],lower[N/cm],upper[N/cm]\n", 2 * 2 * 8 * 5);
+                "density_upper[cm/N],count\n",
+                2 * 2 * 8 * 6);
+    check_table("quantiles.csv", "tip,measure,angle[rad],statistic,value[N/cm],lower[N/cm],upper[N/cm]\n",
+                2 * 2 * 8 * 5);
     check_table("direction.csv", "tip,measure,angle[rad],probability,lower,upper\n", 2 * 8);
     check_table("samples.csv",
                 "sample,failure,load_factor,effective_modulus,contraction,center.from.K_I[N/cm^(3/2)],"
                 "center.from.K_II[N/cm^(3/2)],center.from.bond_energy_max[N/cm],center.from.griffith_energy_max[N/cm],"
-                "center.to.K_I", 40);
+                "center.to.K_I",
+                40);
     check_table("energy_samples.csv", "sample,tip,angle[rad],bond_energy[N/cm],griffith_energy[N/cm]\n", 40 * 2 * 8);
     pdmc_results_clear(&r);
     assert_int_equal(scratch_empty(scratch_path("csv")), 5);
@@ -124,12 +128,9 @@ static void a_bad_folder_is_named(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_number_has_its_row),
-        cmocka_unit_test(numbers_survive_exactly),
-        cmocka_unit_test(commas_and_quotes_are_quoted),
-        cmocka_unit_test(too_many_energies_are_left_to_the_file),
-        cmocka_unit_test(odd_results_are_exported),
-        cmocka_unit_test(a_bad_folder_is_named),
+        cmocka_unit_test(every_number_has_its_row),     cmocka_unit_test(numbers_survive_exactly),
+        cmocka_unit_test(commas_and_quotes_are_quoted), cmocka_unit_test(too_many_energies_are_left_to_the_file),
+        cmocka_unit_test(odd_results_are_exported),     cmocka_unit_test(a_bad_folder_is_named),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

@@ -41,8 +41,8 @@ static void it_has_what_programs_ask(void **state)
     CHECK_NEAR(json_real_value(json_array_get(median, 3)), s->quantiles[3 * PDMC_QUANTILES + 1].value, 0.0);
     json_t *direction = json_object_get(tip, "direction_of_growth");
     assert_int_equal(json_array_size(json_object_get(direction, "upper")), results.angle_count);
-    CHECK_NEAR(json_real_value(json_object_get(json_object_get(tip, "probability"), "lower")), results.probability[0].lower,
-               0.0);
+    CHECK_NEAR(json_real_value(json_object_get(json_object_get(tip, "probability"), "lower")),
+               results.probability[0].lower, 0.0);
     assert_int_equal(json_integer_value(json_object_get(json_object_get(object, "solver"), "rank")), 650);
     CHECK_NEAR(json_real_value(json_object_get(json_object_get(object, "runtime"), "total")), 6.7, 0.0);
     json_decref(object);
@@ -112,7 +112,7 @@ static void refused_memory_is_reported(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_has_what_programs_ask),     cmocka_unit_test(what_is_no_number_is_null),
+        cmocka_unit_test(it_has_what_programs_ask),        cmocka_unit_test(what_is_no_number_is_null),
         cmocka_unit_test(odd_texts_and_seeds_are_written), cmocka_unit_test(a_full_disk_is_seen),
         cmocka_unit_test(refused_memory_is_reported),
     };

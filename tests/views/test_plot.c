@@ -91,8 +91,9 @@ static void texts_are_not_commands(void **state)
     skip_without_gnuplot();
     pdmc_results results = made_up_results(made_up_small);
     char title[512];
-    snprintf(title, sizeof title, "'\nsystem('touch %s/harm')\n!touch %s/harm\n`touch %s/harm` $(touch %s/harm) {^_@&~\\", scratch,
-             scratch, scratch, scratch);
+    snprintf(title, sizeof title,
+             "'\nsystem('touch %s/harm')\n!touch %s/harm\n`touch %s/harm` $(touch %s/harm) {^_@&~\\", scratch, scratch,
+             scratch, scratch);
     pdmc_free(results.title);
     results.title = pdmc_strdup(title);
     strcpy(results.tips[0].name, "../../it's_{a}\ntip");
@@ -133,7 +134,8 @@ static void a_failing_gnuplot_leaves_nothing(void **state)
         pretend(cases[i].script);
         const pdmc_status status = pdmc_view_plot(&results, scratch_path("plots"));
         setenv("PATH", path_before, 1);
-        if (status != PDMC_ERR_EXTERN || !strstr(pdmc_last_error(), cases[i].message)) fail_msg("%s", pdmc_last_error());
+        if (status != PDMC_ERR_EXTERN || !strstr(pdmc_last_error(), cases[i].message))
+            fail_msg("%s", pdmc_last_error());
         assert_int_equal(scratch_empty(scratch_path("plots")), 0);
     }
     pdmc_results_clear(&results);
@@ -154,12 +156,9 @@ static void refused_memory_is_reported(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_picture_is_drawn),
-        cmocka_unit_test(odd_results_are_drawn),
-        cmocka_unit_test(texts_are_not_commands),
-        cmocka_unit_test(a_missing_gnuplot_is_named),
-        cmocka_unit_test(a_failing_gnuplot_leaves_nothing),
-        cmocka_unit_test(refused_memory_is_reported),
+        cmocka_unit_test(every_picture_is_drawn),           cmocka_unit_test(odd_results_are_drawn),
+        cmocka_unit_test(texts_are_not_commands),           cmocka_unit_test(a_missing_gnuplot_is_named),
+        cmocka_unit_test(a_failing_gnuplot_leaves_nothing), cmocka_unit_test(refused_memory_is_reported),
     };
     return cmocka_run_group_tests(tests, keep_path, scratch_remove);
 }

@@ -23,9 +23,18 @@ static void it_says_what_a_person_asks(void **state)
     pdmc_results results = made_up_results(made_up_small);
     char *text = captured(pdmc_view_table, &results);
     const char *const parts[] = {
-        "Centre crack under uncertain tension\n", "40 samples from seed 20110614, 2 failed", "the Griffith energy decides",
-        "G_c = 0.2 N/cm", "\ncenter.from at (-0.5, 0) cm, straight ahead 180 deg", "K_I = 1.323 +- 0.00041",
-        "N/cm^(3/2)", "P(G > G_c) = ", "most likely direction 180 deg 100.0 %", "rank 650\n", "horizon 0.1", "sampling 3.80",
+        "Centre crack under uncertain tension\n",
+        "40 samples from seed 20110614, 2 failed",
+        "the Griffith energy decides",
+        "G_c = 0.2 N/cm",
+        "\ncenter.from at (-0.5, 0) cm, straight ahead 180 deg",
+        "K_I = 1.323 +- 0.00041",
+        "N/cm^(3/2)",
+        "P(G > G_c) = ",
+        "most likely direction 180 deg 100.0 %",
+        "rank 650\n",
+        "horizon 0.1",
+        "sampling 3.80",
     };
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++)
         if (!strstr(text, parts[i])) fail_msg("the table does not say \"%s\":\n%s", parts[i], text);
@@ -63,7 +72,8 @@ static void it_fits_whatever_the_numbers(void **state)
     for (size_t i = 0; i < sizeof factors / sizeof factors[0]; i++) {
         pdmc_results results = made_up_results(made_up_paper);
         scale_energies(&results, factors[i]);
-        for (int k = 0; k < results.tip_count * results.angle_count; k++) results.nominal_griffith_energy[k] *= factors[i];
+        for (int k = 0; k < results.tip_count * results.angle_count; k++)
+            results.nominal_griffith_energy[k] *= factors[i];
         for (int k = 0; k < results.tip_count * results.angle_count; k++)
             results.nominal_bond_energy_tensile[k] *= factors[i];
         results.seed = UINT64_MAX;
@@ -130,12 +140,9 @@ static void numbers_have_a_point_in_every_locale(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_says_what_a_person_asks),
-        cmocka_unit_test(it_fits_whatever_the_numbers),
-        cmocka_unit_test(odd_results_are_shown),
-        cmocka_unit_test(texts_cannot_drive_the_terminal),
-        cmocka_unit_test(a_full_disk_is_seen),
-        cmocka_unit_test(numbers_have_a_point_in_every_locale),
+        cmocka_unit_test(it_says_what_a_person_asks), cmocka_unit_test(it_fits_whatever_the_numbers),
+        cmocka_unit_test(odd_results_are_shown),      cmocka_unit_test(texts_cannot_drive_the_terminal),
+        cmocka_unit_test(a_full_disk_is_seen),        cmocka_unit_test(numbers_have_a_point_in_every_locale),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
