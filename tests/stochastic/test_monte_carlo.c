@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check.h"
+
+#include "pdmc/fracture.h"
+#include "pdmc/stochastic.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/// A discretisation of one unknown: K(xi) = 1 + xi, xi = the deviation of a single bin; load 1, so that x = S / (1 + xi).
+/// One tip with four directions; in direction d one bond with the stretch d x.
+enum { ANGLES = 4 };
+
+typedef struct {
+    pdmc_problem problem;
+    pdmc_uncertainty uncertainties[2];
+    int tip;
+    pdmc_affine model;
+    double term, modulus, zero, one, intensity[2];
+    pdmc_crossing crossing[ANGLES];
+    double row[ANGLES];
+    int ring;
+    double factor; // of the deviation in the operator
+} toy;
+
+static pdmc_status toy_perturb(const pdmc_affine *model, const double xi[], const double x[], double y[])
+{
+    (void)model;
+    for (int s = 0; s < PDMC_BLOCK; s++) y[s] = xi[s] * x[s];
+    return PDMC_OK;
+}
+
+static pdmc_status toy_solve(const pdmc_affine *model, const double xi[], const double scale[2], double x[])
+{
+    (void)model;
+    if (fabs(1.0 + xi[0]) < 0.05) return PDMC_ERR_SINGULAR;
+    x[0] = scale[1] / (1.0 + xi[0]);
+    return PDMC_OK;
+}
+
+static void toy_destroy(void *discretisation)
+{
+    (void)discretisation;
+}
+
+static const pdmc_affine_verbs toy_verbs = {toy_perturb, toy_solve, toy_destroy};
+
+static void toy_make(toy *t, double micromodulus_variation, double load_variation)
+{
+    *t = (toy){.one = 1.0, .term = 1.0, .modulus = 0.0, .intensity = {1.0, 0.0}};
+    t->uncertainties[0] = (pdmc_uncertainty){PDMC_QUANTITY_MICROMODULUS, PDMC_NORMAL, 1, micromodulus_variation};
+    t->uncertainties[1] = (pdmc_uncertainty){PDMC_QUANTITY_LOAD, PDMC_NORMAL, 0, load_variation};
+    t->problem = (pdmc_problem){
+        .plate = {1, 1, 1},
+        .material = {1.0, PDMC_PLANE_STRESS, 1.0},
+        .uncertainty_count = 2,
+        .uncertainties = t->uncertainties,
+        .sampling = {.seed = 7, .samples = 1000, .inverse = PDMC_INVERSE_NEUMANN, .order = 4},
+        .energy = {.tip_count = 1, .tips = &t->tip, .angles = ANGLES, .extension = 0.1, .horizon = 1.0},
+    };
+    t->model = (pdmc_affine){
+        .unknowns = 1, .terms = 1, .bins = 1, .term_weight = &t->term, .modulus_weight = &t->modulus,
+        .solution = {&t->zero, &t->one}, .tips = 1, .angles = ANGLES, .stress_intensity = t->intensity,
+        .micromodulus = 2.0, .crossings = t->crossing, .verbs = &toy_verbs, .discretisation = t,
+    };
+    CHECK_OK(pdmc_ring_rule_create(1, 1, 3, 1.0, &t->model.energy_rings));
+    for (int d = 0; d < ANGLES; d++) {
+        t->row[d] = d;
+        t->crossing[d] = (pdmc_crossing){.bonds = 1, .row = &t->row[d], .ring = &t->ring};
+    }
+}
+
+/// What the run fills in before Monte Carlo.
+static pdmc_status toy_run(toy *t, const pdmc_run_options *options, pdmc_results *r)
+{
+    *r = (pdmc_results){.confidence = 0.95, .bin_count = 1, .tip_count = 1, .angle_count = ANGLES, .histogram_bins = 10,
+                        .fracture_energy = 1.0};
+    r->tips = pdmc_calloc(1, sizeof *r->tips);
+    r->angles = pdmc_calloc(ANGLES, sizeof *r->angles);
+    for (int d = 0; d < ANGLES; d++) r->angles[d] = 1.5707963267948966 * d;
+    pdmc_status status = pdmc_monte_carlo(&t->problem, &t->model, options, r);
+    if (status == PDMC_OK) status = pdmc_summarise(options, r);
+    return status;
+}
+
+static void toy_clear(toy *t, pdmc_results *r)
+{
+    pdmc_ring_rule_clear(&t->model.energy_rings);
+    pdmc_results_clear(r);
+}
+
+static const pdmc_run_options one_thread = {.threads = 1};
+
+// Order k of the expansion of S / (1 + xi) is S sum (-xi)^j: the sign that eq. 52 lacks in print. The energy in direction d
+// is 1/2 c_0 g (d x)^2 with g = c / c_0 times the ring's weight.
+static void the_expansion_alternates(void **state)
+{
+    (void)state;
+    for (int order = 0; order <= 8; order++) {
+        toy t;
+        pdmc_results r;
+        toy_make(&t, 0.2, 0.1);
+        t.problem.sampling.order = order;
+        t.problem.sampling.samples = 100;
+        CHECK_OK(toy_run(&t, &one_thread, &r));
+        for (int s = 0; s < 100; s++) {
+            const double c = r.micromodulus[s], xi = c - 1.0;
+            double x = 0.0;
+            for (int j = order; j >= 0; j--) x = 1.0 - xi * x;
+            const double ring = t.model.energy_rings.weight[0];
+            for (int d = 0; d < ANGLES; d++) {
+                const double exact = c * ring * pow(d * r.load_factor[s] * x, 2); // c_0 / 2 = 1
+                CHECK_NEAR(r.energy[PDMC_MEASURE_BOND][s * ANGLES + d], exact, 1e-13 * fabs(exact));
+            }
+            if (order > 0) CHECK_NEAR(r.contraction[s], fabs(xi), 1e-13);
+            else assert_true(isnan(r.contraction[s]));
+        }
+        toy_clear(&t, &r);
+    }
+}
+
+static void direct_solves_need_no_expansion(void **state)
+{
+    (void)state;
+    toy t;
+    pdmc_results r;
+    toy_make(&t, 0.2, 0.1);
+    t.problem.sampling.inverse = PDMC_INVERSE_DIRECT;
+    CHECK_OK(toy_run(&t, &one_thread, &r));
+    for (int s = 0; s < r.sample_count; s++) {
+        const double x = r.load_factor[s] / r.micromodulus[s];
+        const double exact = r.micromodulus[s] * t.model.energy_rings.weight[0] * x * x;
+        CHECK_NEAR(r.energy[PDMC_MEASURE_BOND][s * ANGLES + 1], exact, 1e-13 * exact);
+        assert_true(isnan(r.contraction[s]));
+    }
+    toy_clear(&t, &r);
+}
+
+// Samples of a wide distribution that do not contract are marked, counted and without result, and widen the bounds of the
+// probability; the others are as they would be without them.
+static void a_bad_sample_is_counted_not_fatal(void **state)
+{
+    (void)state;
+    toy t;
+    pdmc_results r;
+    toy_make(&t, 0.5, 0.1);
+    CHECK_OK(toy_run(&t, &one_thread, &r));
+    int failed = 0, hits = 0;
+    for (int s = 0; s < r.sample_count; s++) {
+        const bool diverged = fabs(r.micromodulus[s] - 1.0) >= 1.0;
+        assert_int_equal(r.failure[s], diverged ? PDMC_SAMPLE_DIVERGED : PDMC_SAMPLE_OK);
+        assert_int_equal(diverged, isnan(r.energy[PDMC_MEASURE_BOND][s * ANGLES + 3]) != 0);
+        failed += diverged;
+        hits += !diverged && r.energy[PDMC_MEASURE_BOND][s * ANGLES + 3] > 1.0;
+    }
+    assert_true(failed > 20 && failed < 100); // 4.6 % of 1000, four deviations of 6.6 either way
+    assert_int_equal(r.failed_count, failed);
+    const size_t n = (size_t)r.sample_count;
+    CHECK_NEAR(r.probability[0].value, hits / (1000.0 - failed), 1e-15);
+    CHECK_NEAR(r.probability[0].lower, pdmc_statistics_proportion((size_t)hits, n, 0.95).lower, 0.0);
+    CHECK_NEAR(r.probability[0].upper, pdmc_statistics_proportion((size_t)(hits + failed), n, 0.95).upper, 0.0);
+    toy_clear(&t, &r);
+
+    toy_make(&t, 0.5, 0.1);
+    t.problem.sampling.inverse = PDMC_INVERSE_DIRECT;
+    CHECK_OK(toy_run(&t, &one_thread, &r));
+    for (int s = 0; s < r.sample_count; s++)
+        assert_int_equal(r.failure[s] == PDMC_SAMPLE_SINGULAR, fabs(r.micromodulus[s]) < 0.05);
+    toy_clear(&t, &r);
+}
+
+static void an_expansion_that_diverges_for_most_is_refused(void **state)
+{
+    (void)state;
+    toy t;
+    pdmc_results r;
+    toy_make(&t, 3.0, 0.1);
+    CHECK_STATUS(toy_run(&t, &one_thread, &r), PDMC_ERR_DATA);
+    assert_non_null(strstr(pdmc_last_error(), "does not contract"));
+    assert_non_null(strstr(pdmc_last_error(), "inverse = \"direct\""));
+    toy_clear(&t, &r);
+}
+
+static void check_same_samples(const pdmc_results *a, const pdmc_results *b, int count)
+{
+    const size_t n = (size_t)count * sizeof(double);
+    assert_memory_equal(a->load_factor, b->load_factor, n);
+    assert_memory_equal(a->micromodulus, b->micromodulus, n);
+    assert_memory_equal(a->contraction, b->contraction, n);
+    assert_memory_equal(a->stress_intensity, b->stress_intensity, 2 * n);
+    for (int m = 0; m < PDMC_MEASURES; m++) assert_memory_equal(a->energy[m], b->energy[m], ANGLES * n);
+}
+
+static void samples_do_not_depend_on_threads_or_number(void **state)
+{
+    (void)state;
+    toy t;
+    pdmc_results first;
+    toy_make(&t, 0.2, 0.1);
+    CHECK_OK(toy_run(&t, &one_thread, &first));
+    for (int threads = 1; threads <= 3; threads++) {
+        const pdmc_run_options options = {.threads = threads};
+        pdmc_results other;
+        t.problem.sampling.samples = threads == 1 ? 333 : 1000;
+        CHECK_OK(toy_run(&t, &options, &other));
+        check_same_samples(&first, &other, other.sample_count);
+        pdmc_results_clear(&other);
+    }
+    pdmc_results reseeded;
+    t.problem.sampling.seed = 8;
+    CHECK_OK(toy_run(&t, &one_thread, &reseeded));
+    assert_true(first.load_factor[0] != reseeded.load_factor[0]);
+    assert_true(first.micromodulus[0] != reseeded.micromodulus[0]);
+    pdmc_results_clear(&reseeded);
+    toy_clear(&t, &first);
+}
+
+static bool stop_after_300(void *context, int done, int total)
+{
+    (void)context;
+    (void)total;
+    return done < 300;
+}
+
+static void an_early_stop_keeps_what_is_done(void **state)
+{
+    (void)state;
+    toy t;
+    pdmc_results whole, stopped;
+    toy_make(&t, 0.2, 0.1);
+    CHECK_OK(toy_run(&t, &one_thread, &whole));
+    const pdmc_run_options options = {.threads = 2, .progress = stop_after_300};
+    CHECK_OK(toy_run(&t, &options, &stopped));
+    assert_int_equal(whole.status, PDMC_RUN_COMPLETE);
+    assert_int_equal(stopped.status, PDMC_RUN_INTERRUPTED);
+    assert_true(stopped.sample_count >= 192 && stopped.sample_count < 1000); // two blocks may be under way
+    check_same_samples(&whole, &stopped, stopped.sample_count);
+    pdmc_results_clear(&stopped);
+    toy_clear(&t, &whole);
+}
+
+// Load alone: G = S^2 G_0 with S normal, whose coefficient of variation is sqrt(4 v^2 + 2 v^4) / (1 + v^2) = 0.3884 for
+// v = 0.2; that of 20,000 samples is known to 0.5 % of itself (one deviation, from the eighth moment: 0.0021).
+static void the_load_scatters_the_energy_by_its_square(void **state)
+{
+    (void)state;
+    toy t;
+    pdmc_results r;
+    toy_make(&t, 0.0, 0.2);
+    t.problem.sampling.samples = 20000;
+    CHECK_OK(toy_run(&t, &one_thread, &r));
+    const double v = 0.2, exact = sqrt(4 * v * v + 2 * pow(v, 4)) / (1 + v * v);
+    const pdmc_energy_statistics *bond = &r.statistics[PDMC_MEASURE_BOND];
+    const double variation = bond->standard_deviation[1].value / bond->mean[1].value;
+    printf("  coefficient of variation of G from a load of 20 %%: %.4f, exact %.4f\n", variation, exact);
+    CHECK_NEAR(variation, exact, 4 * 0.0021);
+    CHECK_NEAR(bond->mean[1].value / r.nominal_bond_energy[1], 1.04, 4 * 0.404 / sqrt(20000.0));
+    assert_true(bond->mean[1].lower < bond->mean[1].value && bond->mean[1].value < bond->mean[1].upper);
+    toy_clear(&t, &r);
+}
+
+// Griffith's energy of K_I = S E_eff / E: the toy's modulus is certain, so G = S^2 / E straight ahead.
+static void griffith_follows_the_stress_intensity(void **state)
+{
+    (void)state;
+    toy t;
+    pdmc_results r;
+    toy_make(&t, 0.0, 0.2);
+    t.problem.sampling.samples = 10;
+    CHECK_OK(toy_run(&t, &one_thread, &r));
+    for (int s = 0; s < 10; s++) {
+        CHECK_NEAR(r.stress_intensity[2 * s], r.load_factor[s], 1e-15);
+        CHECK_NEAR(r.energy[PDMC_MEASURE_GRIFFITH][s * ANGLES], pow(r.load_factor[s], 2), 1e-14);
+        CHECK_NEAR(r.energy[PDMC_MEASURE_GRIFFITH][s * ANGLES + 1],
+                   pdmc_griffith_energy(r.angles[1], &r.stress_intensity[2 * s], 1.0), 0.0);
+    }
+    toy_clear(&t, &r);
+}
+
+// The bond energy is largest in the last direction; a tie is shared.
+static void the_direction_of_the_largest_energy_is_counted(void **state)
+{
+    (void)state;
+    toy t;
+    pdmc_results r;
+    toy_make(&t, 0.1, 0.1);
+    CHECK_OK(toy_run(&t, &one_thread, &r));
+    CHECK_NEAR(r.direction[3].value, 1.0, 0.0);
+    CHECK_NEAR(r.direction[2].value, 0.0, 0.0);
+    pdmc_results_clear(&r);
+    t.row[1] = -3.0;
+    CHECK_OK(toy_run(&t, &one_thread, &r));
+    CHECK_NEAR(r.direction[1].value, 0.5, 1e-12);
+    CHECK_NEAR(r.direction[3].value, 0.5, 1e-12);
+    toy_clear(&t, &r);
+}
+
+static void tensile_bonds_alone_can_be_counted(void **state)
+{
+    (void)state;
+    toy t;
+    pdmc_results r;
+    toy_make(&t, 0.1, 0.1);
+    t.row[1] = -1.0;
+    t.problem.energy.bonds = PDMC_BONDS_TENSILE;
+    CHECK_OK(toy_run(&t, &one_thread, &r));
+    assert_true(r.nominal_bond_energy[1] > 0.0 && r.nominal_bond_energy_tensile[1] == 0.0);
+    assert_true(r.nominal_bond_energy[2] == r.nominal_bond_energy_tensile[2]);
+    for (int s = 0; s < r.sample_count; s++) assert_true(r.energy[PDMC_MEASURE_BOND][s * ANGLES + 1] == 0.0);
+    toy_clear(&t, &r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_expansion_alternates),
+        cmocka_unit_test(direct_solves_need_no_expansion),
+        cmocka_unit_test(a_bad_sample_is_counted_not_fatal),
+        cmocka_unit_test(an_expansion_that_diverges_for_most_is_refused),
+        cmocka_unit_test(samples_do_not_depend_on_threads_or_number),
+        cmocka_unit_test(an_early_stop_keeps_what_is_done),
+        cmocka_unit_test(the_load_scatters_the_energy_by_its_square),
+        cmocka_unit_test(griffith_follows_the_stress_intensity),
+        cmocka_unit_test(the_direction_of_the_largest_energy_is_counted),
+        cmocka_unit_test(tensile_bonds_alone_can_be_counted),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
