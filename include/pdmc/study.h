@@ -9,7 +9,7 @@ typedef struct {
     pdmc_problem problem;
     char *input;    // the study file as it was given
     char *resolved; // every setting, defaults filled in, with its unit; itself a valid study file
-    char *warnings; // one line each, "file:line: ..."; "" if there are none
+    char *warnings; // one line each, "file:line: warning: ..."; "" if there are none
 } pdmc_study;
 
 /// Reads a study file.

@@ -21,7 +21,8 @@ const config_setting_t *pdmc_study_locate(const pdmc_study_reader *reader, pdmc_
     return inner ? inner : at;
 }
 
-static void print_place(FILE *out, const pdmc_study_reader *reader, pdmc_study_address address)
+// What kind of message it is stands behind the place, as in those of compilers.
+static void print_place(FILE *out, const pdmc_study_reader *reader, pdmc_study_address address, const char *kind)
 {
     int line;
     const config_setting_t *setting = pdmc_study_locate(reader, address);
@@ -29,7 +30,7 @@ static void print_place(FILE *out, const pdmc_study_reader *reader, pdmc_study_a
     fputs(file, out);
     if (!config_setting_is_root(setting)) fprintf(out, ":%d", line); // no line is the place of what is not there
     const char *section = pdmc_study_sections[address.section].name;
-    fprintf(out, ": %s", section);
+    fprintf(out, ": %s%s", kind, section);
     if (address.index >= 0) fprintf(out, "[%d]", address.index);
     if (address.key) fprintf(out, "%s%s", *section ? "." : "", address.key);
     fputs(": ", out);
@@ -40,7 +41,7 @@ pdmc_status pdmc_study_refusal_begin(const pdmc_study_reader *reader, pdmc_study
 {
     *message = (pdmc_study_text){0};
     const pdmc_status status = pdmc_study_text_open(message);
-    if (status == PDMC_OK) print_place(message->out, reader, address);
+    if (status == PDMC_OK) print_place(message->out, reader, address, "");
     return status;
 }
 
@@ -66,7 +67,7 @@ pdmc_status pdmc_study_refuse(const pdmc_study_reader *reader, pdmc_study_addres
 
 void pdmc_study_warn(const pdmc_study_reader *reader, pdmc_study_address address, const char *format, ...)
 {
-    print_place(reader->warnings, reader, address);
+    print_place(reader->warnings, reader, address, "warning: ");
     va_list arguments;
     va_start(arguments, format);
     vfprintf(reader->warnings, format, arguments);

@@ -37,6 +37,8 @@ static pdmc_status read_file(const char *path, pdmc_study_text *text)
     PDMC_TRY(pdmc_study_text_open(text));
     for (size_t got; (got = fread(block, 1, sizeof block, file)) > 0;) {
         total += got;
+        if (total == got && got >= 8 && memcmp(block, "\x89HDF\r\n\x1a\n", 8) == 0)
+            PDMC_FAIL(PDMC_ERR_CONFIG, "%s: an HDF5 file, not a study file; pdmc show prints the results in one", path);
         if (total > SIZE_LIMIT) PDMC_FAIL(PDMC_ERR_CONFIG, "%s: larger than 16 MiB, not a study file", path);
         if (memchr(block, 0, got)) PDMC_FAIL(PDMC_ERR_CONFIG, "%s: has a zero byte in it, not a study file", path);
         fwrite(block, 1, got, text->out);

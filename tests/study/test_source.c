@@ -44,6 +44,10 @@ static void files_that_are_no_study(void **state)
     write_bytes("study.cfg", "a = 1;\0 b = 2;", 14);
     CHECK_STATUS(pdmc_study_read("study.cfg", &study), PDMC_ERR_CONFIG);
     assert_string_equal(pdmc_last_error(), "study.cfg: has a zero byte in it, not a study file");
+    write_bytes("study.cfg", "\x89HDF\r\n\x1a\n\0", 9);
+    CHECK_STATUS(pdmc_study_read("study.cfg", &study), PDMC_ERR_CONFIG);
+    assert_string_equal(pdmc_last_error(),
+                        "study.cfg: an HDF5 file, not a study file; pdmc show prints the results in one");
     char *blanks = malloc((16 << 20) + 1);
     assert_non_null(blanks);
     memset(blanks, ' ', (16 << 20) + 1);

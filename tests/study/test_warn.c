@@ -17,13 +17,13 @@ static void negative_micromoduli(void **state)
     (void)state;
     // Phi(-1) = 0.158655, and 1 - 0.841345^2 = 0.292139
     expect(LINE_RANDOM, "random = ( { quantity = \"micromodulus\"; bins = 2; variation = 1; } );",
-           "study.cfg:8: random[0].variation: 1 in 2 bins makes c(r) negative somewhere with probability 0.292 a "
-           "sample\n");
+           "study.cfg:8: warning: random[0].variation: 1 in 2 bins makes c(r) negative somewhere with "
+           "probability 0.292 a sample\n");
     // Phi(-5) = 2.8665e-7: a hundred bins are worth a word, one is not
     expect(
         LINE_RANDOM, "random = ( { quantity = \"micromodulus\"; } );",
-        "study.cfg:8: random[0].variation: 0.2 in 100 bins makes c(r) negative somewhere with probability 2.87e-05 a "
-        "sample\n");
+        "study.cfg:8: warning: random[0].variation: 0.2 in 100 bins makes c(r) negative somewhere with "
+        "probability 2.87e-05 a sample\n");
     expect(LINE_RANDOM, "random = ( { quantity = \"micromodulus\"; bins = 1; } );", "");
     expect(LINE_RANDOM, "random = ( { quantity = \"micromodulus\"; variation = 0; } );", "");
     expect(LINE_RANDOM, "random = ( { quantity = \"load\"; variation = 1; } );", "");
@@ -33,11 +33,12 @@ static void shapes_outside_the_sound_range(void **state)
 {
     (void)state;
     expect(LINE_SOLVER, "solver = { spacing = 0.2; shape = 0.3; };",
-           "study.cfg:7: solver.shape: 0.3 is 1.5 spacings: advised are 2 to 8, less is inaccurate, more is near "
-           "singular\n");
+           "study.cfg:7: warning: solver.shape: 0.3 is 1.5 spacings: advised are 2 to 8, less is inaccurate, "
+           "more is near singular\n");
     expect(
         LINE_SOLVER, "solver = { spacing = 0.2; shape = 2; };",
-        "study.cfg:7: solver.shape: 2 is 10 spacings: advised are 2 to 8, less is inaccurate, more is near singular\n");
+        "study.cfg:7: warning: solver.shape: 2 is 10 spacings: advised are 2 to 8, less is inaccurate, more "
+        "is near singular\n");
     expect(LINE_SOLVER, "solver = { spacing = 0.2; shape = 0.4; };", "");
     expect(LINE_SOLVER, "solver = { spacing = 0.2; shape = 1.6; };", "");
 }
@@ -47,12 +48,12 @@ static void energy_lengths_that_do_not_fit(void **state)
     (void)state;
     expect(
         LINE_ENERGY, "energy = { horizon = 0.02; extension = 0.1; };",
-        "study.cfg:10: energy.extension: extension 0.1 is 5 times the energy horizon 0.02: G_E then measures the field "
-        "at a distance from the tip, not at it (advised: at most 0.25 of the horizon); the paper's own case has "
+        "study.cfg:10: warning: energy.extension: extension 0.1 is 5 times the energy horizon 0.02: G_E then "
+        "measures the field at a distance from the tip, not at it (advised: at most 0.25 of the horizon); the paper's own case has "
         "extension = crack half length\n");
     expect(LINE_ENERGY, "energy = { horizon = 0.3; tips = [\"a.to\"]; };",
-           "study.cfg:10: energy.horizon: 0.3 is 0.6 of the crack's half length 0.5 at a.to: G_E then sees the whole "
-           "crack, "
+           "study.cfg:10: warning: energy.horizon: 0.3 is 0.6 of the crack's half length 0.5 at a.to: G_E "
+           "then sees the whole crack, "
            "not the tip (advised: at most 0.1)\n");
     expect(LINE_ENERGY, "energy = { horizon = 0.25; extension = 0.0625; };", "");
     expect(LINE_ENERGY, "energy = { horizon = 0.02; extension = 0.1; tips = []; };", "");
@@ -64,10 +65,10 @@ static void each_tip_has_its_own_crack(void **state)
     expect(LINE_CRACKS,
            "cracks = ( { name = \"a\"; from = [-0.5, 0.0]; to = [0.5, 0.0]; }, { name = \"b\"; from = [1.0, 0.0]; "
            "to = [1.2, 0.0]; } );\nenergy = { horizon = 0.06; };",
-           "study.cfg:5: energy.horizon: 0.06 is 0.6 of the crack's half length 0.1 at b.from: G_E then sees the whole "
-           "crack, not the tip (advised: at most 0.1)\n"
-           "study.cfg:5: energy.horizon: 0.06 is 0.6 of the crack's half length 0.1 at b.to: G_E then sees the whole "
-           "crack, not the tip (advised: at most 0.1)\n");
+           "study.cfg:5: warning: energy.horizon: 0.06 is 0.6 of the crack's half length 0.1 at b.from: G_E "
+           "then sees the whole crack, not the tip (advised: at most 0.1)\n"
+           "study.cfg:5: warning: energy.horizon: 0.06 is 0.6 of the crack's half length 0.1 at b.to: G_E "
+           "then sees the whole crack, not the tip (advised: at most 0.1)\n");
 }
 
 int main(void)
