@@ -3,7 +3,7 @@
 
 #include "base/base_impl.h"
 #include "kansa/energy.h"
-#include "kansa/response.h"
+#include "kansa/rings.h"
 
 #include <cblas.h>
 #include <lapacke.h>
@@ -14,36 +14,27 @@
 typedef struct {
     const pdmc_kansa *kansa;
     pdmc_response response;
+    double *coefficients; // [dimension, unknowns of the collocation] of the space's basis
     double *ring_rows; // [terms, 2 interior, unknowns of the collocation] in y, for direct solves only
-} ring_operator;
+} sampled_operator;
 
 static void destroy_operator(void *discretisation)
 {
-    ring_operator *rings = discretisation;
+    sampled_operator *rings = discretisation;
     pdmc_response_clear(&rings->response);
+    pdmc_free(rings->coefficients);
     pdmc_free(rings->ring_rows);
     pdmc_free(rings);
 }
 
 static pdmc_status perturb(const pdmc_affine *model, const double xi[], const double x[], double y[])
 {
-    pdmc_status status = PDMC_OK;
-    const ring_operator *rings = model->discretisation;
-    const int r = model->unknowns, terms = model->terms;
-    double *stack = NULL; // [PDMC_BLOCK, terms, unknowns]
-    PDMC_NEW(stack, PDMC_BLOCK * terms * r);
-    for (int s = 0; s < PDMC_BLOCK; s++)
-        for (int q = 0; q < terms; q++)
-            cblas_daxpy(r, xi[s * terms + q], &x[s * r], 1, &stack[(s * terms + q) * r], 1);
-    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, r, PDMC_BLOCK, terms * r, 1.0, rings->response.image, r, stack,
-                terms * r, 0.0, y, r);
-done:
-    pdmc_free(stack);
-    return status;
+    const sampled_operator *rings = model->discretisation;
+    return pdmc_response_perturb(&rings->response, model->terms, PDMC_BLOCK, xi, x, y);
 }
 
 // Turns a row of the mean, Q, into that of A(xi) R^-1.
-static void add_rings(const ring_operator *rings, int terms, const double xi[], int row, double values[])
+static void add_rings(const sampled_operator *rings, int terms, const double xi[], int row, double values[])
 {
     const pdmc_kansa *kansa = rings->kansa;
     const int n = kansa->unknowns, interior = 2 * kansa->points.interior_count;
@@ -61,7 +52,7 @@ static void add_rings(const ring_operator *rings, int terms, const double xi[], 
 static pdmc_status solve(const pdmc_affine *model, const double xi[], const double scale[2], double x[])
 {
     pdmc_status status = PDMC_OK;
-    const ring_operator *rings = model->discretisation;
+    const sampled_operator *rings = model->discretisation;
     const pdmc_kansa *kansa = rings->kansa;
     const int n = kansa->unknowns, m = kansa->rows;
     double *transposed = NULL, *load = NULL; // [unknowns, rows] column-major
@@ -83,7 +74,7 @@ done:
 
 enum { PANEL = 64 }; // rows of a task, the same for any number of threads
 
-static pdmc_status whiten_rings(const pdmc_kansa *kansa, int terms, ring_operator *rings)
+static pdmc_status whiten_rings(const pdmc_kansa *kansa, int terms, sampled_operator *rings)
 {
     pdmc_status status = PDMC_OK;
     const int n = kansa->unknowns, count = terms * 2 * kansa->points.interior_count;
@@ -111,12 +102,42 @@ static void expected_sizes(const pdmc_kansa *kansa, double variation, double siz
     }
 }
 
+// The span of the words that start from the mean solutions and from the directions of the least squares.
+static pdmc_status find_response(const pdmc_kansa *kansa, int terms, const double size[], sampled_operator *rings)
+{
+    pdmc_status status = PDMC_OK;
+    const size_t n = (size_t)kansa->unknowns;
+    pdmc_ring_operator operators = {0};
+    double *start = NULL, norm = 0.0;
+    int count = 0;
+    PDMC_TRY(pdmc_ring_operator_create(kansa, &operators));
+    PDMC_NEW(start, 2 * (size_t)(terms + 1) * n);
+    for (int l = 0; l < 2; l++) {
+        norm += cblas_dnrm2((int)n, kansa->whitened[l], 1);
+        memcpy(&start[(size_t)count++ * n], kansa->whitened[l], n * sizeof *start);
+        for (int q = 0; q < terms; q++) {
+            double *direction = &start[(size_t)count++ * n];
+            pdmc_ring_operator_residual(&operators, q, l, direction);
+            cblas_dscal((int)n, size[q], direction, 1);
+        }
+    }
+    const pdmc_response_operator operator = {kansa->unknowns, terms, size, norm, pdmc_ring_operator_apply, &operators};
+    PDMC_TRY(pdmc_response_create(&operator, count, start, &rings->response));
+    PDMC_NEW(rings->coefficients, (size_t)rings->response.dimension * n);
+    memcpy(rings->coefficients, rings->response.basis, (size_t)rings->response.dimension * n * sizeof(double));
+    pdmc_kansa_unwhiten(kansa, rings->response.dimension, rings->coefficients);
+done:
+    pdmc_free(start);
+    pdmc_ring_operator_clear(&operators);
+    return status;
+}
+
 static pdmc_status create_operator(const pdmc_kansa *kansa, pdmc_affine *model)
 {
     pdmc_status status = PDMC_OK;
     static const pdmc_affine_verbs verbs = {perturb, solve, destroy_operator};
     const pdmc_uncertainty *noise = pdmc_problem_uncertainty(kansa->problem, PDMC_QUANTITY_MICROMODULUS);
-    ring_operator *rings = NULL;
+    sampled_operator *rings = NULL;
     double size[PDMC_MAX_RINGS];
     PDMC_NEW(rings, 1);
     model->discretisation = rings;
@@ -125,7 +146,7 @@ static pdmc_status create_operator(const pdmc_kansa *kansa, pdmc_affine *model)
     model->terms = noise ? kansa->rings.rings : 0;
     rings->kansa = kansa;
     expected_sizes(kansa, noise ? noise->variation : 0.0, size);
-    PDMC_TRY(pdmc_response_create(kansa, model->terms, size, &rings->response));
+    PDMC_TRY(find_response(kansa, model->terms, size, rings));
     if (kansa->problem->sampling.inverse == PDMC_INVERSE_DIRECT)
         PDMC_TRY(whiten_rings(kansa, model->terms, rings));
     model->unknowns = rings->response.dimension;
@@ -158,7 +179,7 @@ done:
 static pdmc_status fill_stress_intensity(const pdmc_kansa *kansa, pdmc_affine *model)
 {
     pdmc_status status = PDMC_OK;
-    const ring_operator *rings = model->discretisation;
+    const sampled_operator *rings = model->discretisation;
     const int n = kansa->unknowns, count = 2 * model->tips;
     double *row = NULL;
     PDMC_NEW(row, (size_t)count * (size_t)n);
@@ -168,7 +189,7 @@ static pdmc_status fill_stress_intensity(const pdmc_kansa *kansa, pdmc_affine *m
                                          &row[(size_t)(2 * t + 1) * (size_t)n]);
     if (count > 0)
         cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, count, model->unknowns, n, 1.0, row, n,
-                    rings->response.coefficients, n, 0.0, model->stress_intensity, model->unknowns);
+                    rings->coefficients, n, 0.0, model->stress_intensity, model->unknowns);
 done:
     pdmc_free(row);
     return status;
@@ -183,8 +204,8 @@ pdmc_status pdmc_kansa_affine(const pdmc_kansa *kansa, pdmc_affine *model)
     PDMC_TRY(fill_weights(kansa, model));
     PDMC_TRY(fill_stress_intensity(kansa, model));
     const double made = pdmc_seconds();
-    const ring_operator *rings = model->discretisation;
-    PDMC_TRY(pdmc_kansa_energy(kansa, &rings->response, model));
+    const sampled_operator *rings = model->discretisation;
+    PDMC_TRY(pdmc_kansa_energy(kansa, rings->coefficients, model));
     model->operator_seconds = made - start;
     model->energy_seconds = pdmc_seconds() - made;
 done:

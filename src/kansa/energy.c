@@ -50,13 +50,13 @@ static void stretch_rows(const pdmc_kansa *kansa, workspace *work, int count)
     }
 }
 
-static pdmc_status fill_crossing(const pdmc_kansa *kansa, const pdmc_response *response, const pdmc_affine *model,
+static pdmc_status fill_crossing(const pdmc_kansa *kansa, const double coefficients[], const pdmc_affine *model,
                                  workspace *work, int direction, pdmc_crossing *crossing)
 {
     pdmc_status status = PDMC_OK;
     const double pi = 3.14159265358979323846;
     const pdmc_problem *problem = kansa->problem;
-    const int tip = problem->energy.tips[direction / model->angles], n = kansa->unknowns, r = response->dimension;
+    const int tip = problem->energy.tips[direction / model->angles], n = kansa->unknowns, r = model->unknowns;
     const pdmc_crack *crack = &problem->cracks[tip / 2];
     const double *position = tip % 2 ? crack->to : crack->from;
     const double phi = 2.0 * pi * (direction % model->angles) / model->angles;
@@ -69,12 +69,12 @@ static pdmc_status fill_crossing(const pdmc_kansa *kansa, const pdmc_response *r
     stretch_rows(kansa, work, crossing->bonds);
     if (crossing->bonds > 0)
         cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, crossing->bonds, r, n, 1.0, work->stretch, n,
-                    response->coefficients, n, 0.0, crossing->row, r);
+                    coefficients, n, 0.0, crossing->row, r);
 done:
     return status;
 }
 
-static pdmc_status fill_crossings(const pdmc_kansa *kansa, const pdmc_response *response, pdmc_affine *model)
+static pdmc_status fill_crossings(const pdmc_kansa *kansa, const double coefficients[], pdmc_affine *model)
 {
     pdmc_status status = PDMC_OK;
     const int directions = model->tips * model->angles;
@@ -84,7 +84,7 @@ static pdmc_status fill_crossings(const pdmc_kansa *kansa, const pdmc_response *
         pdmc_status mine = workspace_create(kansa, &work);
 #pragma omp for schedule(dynamic)
         for (int d = 0; d < directions; d++)
-            if (mine == PDMC_OK) mine = fill_crossing(kansa, response, model, work, d, &model->crossings[d]);
+            if (mine == PDMC_OK) mine = fill_crossing(kansa, coefficients, model, work, d, &model->crossings[d]);
         if (mine != PDMC_OK) {
 #pragma omp critical(pdmc_energy)
             status = mine;
@@ -94,14 +94,14 @@ static pdmc_status fill_crossings(const pdmc_kansa *kansa, const pdmc_response *
     return status;
 }
 
-pdmc_status pdmc_kansa_energy(const pdmc_kansa *kansa, const pdmc_response *response, pdmc_affine *model)
+pdmc_status pdmc_kansa_energy(const pdmc_kansa *kansa, const double coefficients[], pdmc_affine *model)
 {
     pdmc_status status = PDMC_OK;
     const pdmc_problem *problem = kansa->problem;
     PDMC_NEW(model->crossings, model->tips * model->angles);
     model->micromodulus = pdmc_micromodulus(&problem->material, problem->energy.horizon);
     PDMC_TRY(pdmc_ring_rule_create(PDMC_CROSSING_RINGS, model->bins, 3, problem->energy.horizon, &model->energy_rings));
-    PDMC_TRY(fill_crossings(kansa, response, model));
+    PDMC_TRY(fill_crossings(kansa, coefficients, model));
 done:
     return status;
 }

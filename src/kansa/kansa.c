@@ -115,9 +115,8 @@ static pdmc_status solve_mean(pdmc_kansa *kansa)
 {
     pdmc_status status = PDMC_OK;
     const int m = kansa->rows, n = kansa->unknowns;
-    double *residual = NULL, *y = NULL;
+    double *residual = NULL, *y = kansa->coefficients;
     PDMC_NEW(residual, m);
-    PDMC_NEW(y, n);
     for (int l = 0; l < 2; l++) {
         cblas_dgemv(CblasColMajor, CblasTrans, m, n, 1.0, kansa->q, m, kansa->load[l], 1, 0.0, kansa->whitened[l], 1);
         cblas_daxpy(n, 1.0, kansa->whitened[l], 1, y, 1);
@@ -125,10 +124,9 @@ static pdmc_status solve_mean(pdmc_kansa *kansa)
     }
     cblas_dgemv(CblasColMajor, CblasNoTrans, m, n, 1.0, kansa->q, m, y, 1, -1.0, residual, 1);
     kansa->residual = fabs(residual[cblas_idamax(m, residual, 1)]);
-    pdmc_kansa_unwhiten(kansa, y, kansa->coefficients);
+    pdmc_kansa_unwhiten(kansa, 1, y);
 done:
     pdmc_free(residual);
-    pdmc_free(y);
     return status;
 }
 
@@ -138,11 +136,10 @@ void pdmc_kansa_whiten(const pdmc_kansa *kansa, int count, double row[])
     cblas_dtrsm(CblasColMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, n, count, 1.0, kansa->r, n, row, n);
 }
 
-void pdmc_kansa_unwhiten(const pdmc_kansa *kansa, const double y[], double x[])
+void pdmc_kansa_unwhiten(const pdmc_kansa *kansa, int count, double v[])
 {
     const int n = kansa->unknowns;
-    memcpy(x, y, (size_t)n * sizeof *y);
-    cblas_dtrsv(CblasColMajor, CblasUpper, CblasNoTrans, CblasNonUnit, n, kansa->r, n, x, 1);
+    cblas_dtrsm(CblasColMajor, CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit, n, count, 1.0, kansa->r, n, v, n);
 }
 
 static pdmc_status assemble_and_factor(pdmc_kansa *kansa, const pdmc_kansa_data *data)

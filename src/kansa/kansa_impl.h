@@ -31,8 +31,9 @@ struct pdmc_kansa {
 /// @param[in,out] row  [count, unknowns]
 void pdmc_kansa_whiten(const pdmc_kansa *kansa, int count, double row[]);
 
-/// The basis' coefficients that belong to y.
-void pdmc_kansa_unwhiten(const pdmc_kansa *kansa, const double y[], double x[]);
+/// The basis' coefficients that belong to vectors y, in place.
+/// @param[in,out] v  [count, unknowns]
+void pdmc_kansa_unwhiten(const pdmc_kansa *kansa, int count, double v[]);
 
 /// K_I and K_II of a tip as functionals of the basis' coefficients, at the mean effective modulus.
 /// @param[out] row_1, row_2  [unknowns] zero on entry

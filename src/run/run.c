@@ -2,7 +2,7 @@
 #include "pdmc/run.h"
 
 #include "base/base_impl.h"
-#include "pdmc/kansa.h"
+#include "pdmc/discretisation.h"
 
 #include <math.h>
 #include <time.h>
@@ -75,23 +75,23 @@ static pdmc_status estimate_errors(const pdmc_problem *problem, int threads, pdm
 {
     pdmc_status status = PDMC_OK;
     pdmc_problem coarse = *problem;
-    pdmc_kansa *kansa = NULL;
+    pdmc_discretisation plate = {0};
     coarse.kansa.spacing *= 1.25;
     coarse.kansa.shape *= 1.25;
-    PDMC_TRY(pdmc_kansa_create(&coarse, NULL, threads, &kansa));
+    PDMC_TRY(pdmc_discretise(&coarse, threads, &plate));
     for (int t = 0; t < results->tip_count; t++) {
         pdmc_tip *tip = &results->tips[t], other;
-        PDMC_TRY(pdmc_kansa_tip(kansa, problem->energy.tips[t], &other));
+        PDMC_TRY(plate.verbs->tip(plate.method, problem->energy.tips[t], &other));
         for (int k = 0; k < 2; k++)
             tip->stress_intensity_error[k] = fabs(tip->stress_intensity[k] - other.stress_intensity[k]);
         tip->t_stress_error = fabs(tip->t_stress - other.t_stress);
     }
 done:
-    pdmc_kansa_destroy(&kansa);
+    pdmc_discretisation_clear(&plate);
     return status;
 }
 
-static pdmc_status describe_solution(const pdmc_problem *problem, const pdmc_kansa *kansa, int threads,
+static pdmc_status describe_solution(const pdmc_problem *problem, const pdmc_discretisation *plate, int threads,
                                      pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
@@ -100,29 +100,40 @@ static pdmc_status describe_solution(const pdmc_problem *problem, const pdmc_kan
     PDMC_NEW(results->tips, problem->energy.tip_count);
     results->tip_count = problem->energy.tip_count;
     for (int t = 0; t < results->tip_count; t++)
-        PDMC_TRY(pdmc_kansa_tip(kansa, problem->energy.tips[t], &results->tips[t]));
+        PDMC_TRY(plate->verbs->tip(plate->method, problem->energy.tips[t], &results->tips[t]));
     if (results->tip_count > 0) PDMC_TRY(estimate_errors(problem, threads, results));
-    results->solver = pdmc_kansa_report(kansa);
-    PDMC_TRY(pdmc_kansa_field(kansa, &results->field));
-    pdmc_kansa_runtime(kansa, &results->runtime.assembly, &results->runtime.factorisation);
+    results->solver = plate->verbs->report(plate->method);
+    PDMC_TRY(plate->verbs->field(plate->method, &results->field));
+    plate->verbs->runtime(plate->method, &results->runtime.assembly, &results->runtime.factorisation);
     results->runtime.threads = threads;
 done:
     return status;
+}
+
+// Whether to go on, before there are samples to save.
+static pdmc_status ask(const pdmc_problem *problem, const pdmc_run_options *options)
+{
+    if (!options->progress || options->progress(options->context, 0, problem->sampling.samples)) return PDMC_OK;
+    return pdmc_raise(PDMC_ERR_INTERRUPTED, "stopped before the first samples: there is nothing to save");
 }
 
 pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
     const pdmc_problem *problem = &study->problem;
-    pdmc_kansa *kansa = NULL;
+    pdmc_discretisation plate = {0};
     pdmc_affine model = {0};
     const double start = pdmc_seconds();
     *results = (pdmc_results){0};
     PDMC_TRY(describe_study(study, results));
     PDMC_TRY(describe_geometry(problem, results));
-    PDMC_TRY(pdmc_kansa_create(problem, NULL, options->threads, &kansa));
-    PDMC_TRY(describe_solution(problem, kansa, options->threads, results));
-    PDMC_TRY(pdmc_kansa_affine(kansa, &model));
+    PDMC_TRY(ask(problem, options));
+    PDMC_TRY(pdmc_discretise(problem, options->threads, &plate));
+    PDMC_TRY(ask(problem, options));
+    PDMC_TRY(describe_solution(problem, &plate, options->threads, results));
+    PDMC_TRY(ask(problem, options));
+    PDMC_TRY(plate.verbs->affine(plate.method, &model));
+    PDMC_TRY(ask(problem, options));
     results->runtime.operators = model.operator_seconds;
     results->runtime.energy_rows = model.energy_seconds;
     PDMC_TRY(pdmc_monte_carlo(problem, &model, options, results));
@@ -132,7 +143,7 @@ pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, p
     results->runtime.total = pdmc_seconds() - start;
 done:
     pdmc_affine_clear(&model);
-    pdmc_kansa_destroy(&kansa);
+    pdmc_discretisation_clear(&plate);
     if (status != PDMC_OK) pdmc_results_clear(results);
     return status;
 }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pdmc/discretisation.h"
+
+#include "kansa/method.h"
+
+pdmc_status pdmc_discretise(const pdmc_problem *problem, int threads, pdmc_discretisation *out)
+{
+    *out = (pdmc_discretisation){0};
+    return pdmc_kansa_discretise(problem, threads, out);
+}
+
+void pdmc_discretisation_clear(pdmc_discretisation *discretisation)
+{
+    if (discretisation->method) discretisation->verbs->destroy(discretisation->method);
+    *discretisation = (pdmc_discretisation){0};
+}
