@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 const char usage[] =
     "pdmc - how likely is this crack to grow, and which way?\n"
@@ -19,7 +20,8 @@ const char usage[] =
     "  pdmc describe             list every setting of a study file\n"
     "\n"
     "  -o, --output FILE         result file (default: the study's name, .h5, in the working folder)\n"
-    "  -t, --threads N           number of threads (default: all processors); no result depends on it\n"
+    "  -t, --threads N           number of threads (default: OMP_NUM_THREADS, or all processors); no result\n"
+    "                            depends on it\n"
     "  -s, --seed S              instead of the study's\n"
     "  -n, --samples N           instead of the study's\n"
     "  -f, --force               overwrite the result file\n"
@@ -27,14 +29,35 @@ const char usage[] =
     "  -h, --help                print this\n"
     "      --version             print the version\n"
     "\n"
+    "A run that is interrupted (Ctrl-C, SIGTERM, SIGHUP) finishes the samples under way and saves what it has.\n"
+    "\n"
     "Exit codes: 0 done, 64 usage, 65 bad data, 66 no input, 70 internal error, 73 cannot create the output,\n"
     "74 input or output failed, 75 stopped early with everything saved, 78 bad study file.\n";
 
-static bool mistake(const char *what, const char *word)
-{
-    fprintf(stderr, "pdmc: %s%s%s; see pdmc --help\n", what, word ? " " : "", word ? word : "");
-    return false;
-}
+static const struct option long_options[] = {
+    {"output", required_argument, NULL, 'o'}, {"threads", required_argument, NULL, 't'},
+    {"seed", required_argument, NULL, 's'},   {"samples", required_argument, NULL, 'n'},
+    {"force", no_argument, NULL, 'f'},        {"quiet", no_argument, NULL, 'q'},
+    {"json", no_argument, NULL, 'j'},         {"help", no_argument, NULL, 'h'},
+    {"version", no_argument, NULL, 'V'},      {NULL, 0, NULL, 0},
+};
+
+// What may stand behind a command's name.
+typedef struct {
+    const char *name;
+    command command;
+    int operands;
+    const char *needs, *options; // the operands in words, and the letters of the options that mean something
+} grammar;
+
+static const grammar run_grammar = {"a run", COMMAND_RUN, 1, "the name of a study", "otsnfq"};
+static const grammar grammars[] = {
+    {"check", COMMAND_CHECK, 1, "the name of a study", "tsnq"},
+    {"show", COMMAND_SHOW, 1, "the name of a result file", "j"},
+    {"export", COMMAND_EXPORT, 2, "a result file and a folder", "q"},
+    {"plot", COMMAND_PLOT, 2, "a result file and a folder", "q"},
+    {"describe", COMMAND_DESCRIBE, 0, "", ""},
+};
 
 static bool read_number(const char *option, const char *text, long long lowest, long long highest, long long *out)
 {
@@ -42,15 +65,22 @@ static bool read_number(const char *option, const char *text, long long lowest, 
     errno = 0;
     *out = strtoll(text, &end, 10);
     if (*text != '\0' && *end == '\0' && errno == 0 && lowest <= *out && *out <= highest) return true;
-    fprintf(stderr, "pdmc: %s: %s is not a whole number from %lld to %lld\n", option, text, lowest, highest);
+    fprintf(stderr, "pdmc: %s: \"%s\" is not a whole number from %lld to %lld\n", option, text, lowest, highest);
     return false;
+}
+
+static bool read_output(const char *value, arguments *out)
+{
+    if (*value == '\0') fputs("pdmc: --output: the name of the file is empty\n", stderr);
+    out->output = value;
+    return *value != '\0';
 }
 
 static bool read_option(int letter, const char *value, arguments *out)
 {
     long long number = 0;
     switch (letter) {
-    case 'o': out->output = value; return true;
+    case 'o': return read_output(value, out);
     case 'f': out->force = true; return true;
     case 'q': out->quiet = true; return true;
     case 'j': out->json = true; return true;
@@ -73,47 +103,63 @@ static bool read_option(int letter, const char *value, arguments *out)
     }
 }
 
-static bool read_words(int count, char *word[], arguments *out)
+static const grammar *find_grammar(const char *word)
 {
-    static const struct {
-        const char *name;
-        command command;
-        int operands;
-    } commands[] = {
-        {"check", COMMAND_CHECK, 1}, {"show", COMMAND_SHOW, 1},         {"export", COMMAND_EXPORT, 2},
-        {"plot", COMMAND_PLOT, 2},   {"describe", COMMAND_DESCRIBE, 0},
-    };
-    if (count == 0) return mistake("a study is missing", NULL);
-    int operands = 1;
-    out->command = COMMAND_RUN;
-    for (size_t k = 0; k < sizeof commands / sizeof commands[0]; k++) {
-        if (strcmp(word[0], commands[k].name) != 0) continue;
-        out->command = commands[k].command;
-        operands = commands[k].operands;
-        word++;
-        count--;
-        break;
+    for (size_t k = 0; k < sizeof grammars / sizeof grammars[0]; k++)
+        if (strcmp(word, grammars[k].name) == 0) return &grammars[k];
+    return &run_grammar;
+}
+
+// An option that does nothing here is a mistake about what the command does.
+static bool check_options(const grammar *g, const char *letters)
+{
+    for (; *letters; letters++) {
+        if (strchr(g->options, *letters)) continue;
+        for (const struct option *o = long_options; o->name; o++)
+            if (o->val == *letters)
+                fprintf(stderr, "pdmc: %s does not take --%s; see pdmc --help\n", g->name, o->name);
+        return false;
     }
-    if (count < operands) return mistake(operands == 2 ? "FILE and DIR are needed" : "a file is needed", NULL);
-    if (count > operands) return mistake("unexpected argument", word[operands]);
-    if (operands > 0) out->input = word[0];
-    if (operands > 1) out->folder = word[1];
+    return true;
+}
+
+static bool check_count(const grammar *g, int count, char *word[])
+{
+    if (count == g->operands) return true;
+    if (count < g->operands) {
+        fprintf(stderr, "pdmc: %s needs %s; see pdmc --help\n", g->name, g->needs);
+    } else if (g == &run_grammar && access(word[0], F_OK) != 0) {
+        fprintf(stderr, "pdmc: %s: neither a command nor a file; see pdmc --help\n", word[0]);
+    } else {
+        fprintf(stderr, "pdmc: unexpected argument %s; see pdmc --help\n", word[g->operands]);
+    }
+    return false;
+}
+
+static bool read_words(int count, char *word[], const char *letters, arguments *out)
+{
+    const grammar *g = count > 0 ? find_grammar(word[0]) : &run_grammar;
+    const int skip = g == &run_grammar ? 0 : 1;
+    word += skip;
+    count -= skip;
+    if (!check_count(g, count, word) || !check_options(g, letters)) return false;
+    out->command = g->command;
+    if (count > 0) out->input = word[0];
+    if (count > 1) out->folder = word[1];
     return true;
 }
 
 bool read_arguments(int argc, char *argv[], arguments *out)
 {
-    static const struct option options[] = {
-        {"output", required_argument, NULL, 'o'}, {"threads", required_argument, NULL, 't'},
-        {"seed", required_argument, NULL, 's'},   {"samples", required_argument, NULL, 'n'},
-        {"force", no_argument, NULL, 'f'},        {"quiet", no_argument, NULL, 'q'},
-        {"json", no_argument, NULL, 'j'},         {"help", no_argument, NULL, 'h'},
-        {"version", no_argument, NULL, 'V'},      {NULL, 0, NULL, 0},
-    };
+    char letters[sizeof long_options / sizeof long_options[0]] = ""; // of the options that were given, each once
+    char name[] = "pdmc";
+    if (argc > 0) argv[0] = name; // by which getopt begins its messages
     *out = (arguments){0};
     int letter;
-    while ((letter = getopt_long(argc, argv, "o:t:s:n:fqh", options, NULL)) != -1)
+    while ((letter = getopt_long(argc, argv, "o:t:s:n:fqh", long_options, NULL)) != -1) {
         if (!read_option(letter, optarg, out)) return false;
+        if (!strchr(letters, letter)) letters[strlen(letters)] = (char)letter;
+    }
     if (out->command == COMMAND_HELP || out->command == COMMAND_VERSION) return true;
-    return read_words(argc - optind, &argv[optind], out);
+    return read_words(argc - optind, &argv[optind], letters, out);
 }

@@ -5,9 +5,14 @@
 #include "pdmc/study.h"
 #include "pdmc/views.h"
 
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sysexits.h>
+#include <unistd.h>
 
 static int view_command(const arguments *given)
 {
@@ -21,6 +26,7 @@ static int view_command(const arguments *given)
         }
     }
     pdmc_results_clear(&results);
+    if (status == PDMC_ERR_IO && ferror(stdout)) return EX_IOERR; // main() says why
     return status == PDMC_OK ? EX_OK : fail(status);
 }
 
@@ -49,12 +55,32 @@ static int dispatch(const arguments *given)
     return EX_SOFTWARE;
 }
 
+// Where a standard stream is closed, the next file to be opened would take its place and be printed into. The
+// stand-ins cannot be used the way the streams are, so that the loss is still noticed.
+static void occupy_standard_streams(void)
+{
+    for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; descriptor++)
+        if (fcntl(descriptor, F_GETFD) == -1 &&
+            open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) != descriptor)
+            _exit(EX_OSERR);
+}
+
+// To be called right after the command, while errno is still that of a failure to write.
+static int close_output(int code)
+{
+    const int error = ferror(stdout) ? errno : 0;
+    const bool failed = ferror(stdout) != 0;
+    errno = 0;
+    if (fclose(stdout) == 0 && !failed) return code;
+    fprintf(stderr, "pdmc: standard output: %s\n", strerror(errno ? errno : error));
+    return code == EX_OK ? EX_IOERR : code;
+}
+
 int main(int argc, char *argv[])
 {
     arguments given;
+    occupy_standard_streams();
+    signal(SIGXFSZ, SIG_IGN); // past ulimit -f, writing fails instead, and says so
     if (!read_arguments(argc, argv, &given)) return EX_USAGE;
-    const int code = dispatch(&given);
-    if (fflush(stdout) == 0 && !ferror(stdout)) return code;
-    perror("pdmc: standard output");
-    return EX_IOERR;
+    return close_output(dispatch(&given));
 }

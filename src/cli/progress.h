@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdbool.h>
+
+/// How a run says how far it is, and how it is told to stop.
+typedef struct {
+    bool quiet, live; // live: one line that is redrawn; otherwise a line for each tenth
+    bool line_open;
+    int tenth;
+    double begin; // when sampling began, s
+} progress;
+
+/// Catches SIGINT, SIGTERM and SIGHUP: the first stops the run after the samples under way, the third leaves at once.
+void progress_start(bool quiet, progress *state);
+
+/// A pdmc_run_options.progress with a progress as its context.
+bool progress_show(void *context, int done, int total);
+
+/// Ends the line that is redrawn, so that what follows has a line of its own.
+void progress_end(progress *state);
