@@ -56,8 +56,13 @@ typedef struct {
     double variation;                    // coefficient of variation, >= 0
 } pdmc_uncertainty;
 
-/// Settings of the least-squares Kansa collocation; see pdmc/kansa.h.
+/// How the collocation treats cracks: analytic fields (the local limit), stencils over visible nodes with bonds that are
+/// really cut, or the paper's own recipe.
+typedef enum { PDMC_CRACKS_ANALYTIC, PDMC_CRACKS_VISIBLE, PDMC_CRACKS_PAPER } pdmc_crack_model;
+
+/// Settings of the Kansa collocation; see pdmc/kansa.h.
 typedef struct {
+    pdmc_crack_model crack_model;
     double horizon;        // delta, length
     double spacing;        // h of the collocation nodes, length
     double shape;          // psi of the inverse multiquadric, length

@@ -87,7 +87,8 @@ const pdmc_study_setting pdmc_study_settings[] = {
 
     {SECTION_SOLVER, "method", KIND_CHOICE, .offset = NOT_STORED, .choices = CHOICES("kansa"),
      .planned = CHOICES("bond"), .fallback = "kansa", .doc = "least-squares collocation"},
-    {SECTION_SOLVER, "crack_model", KIND_CHOICE, .offset = NOT_STORED, .choices = CHOICES("analytic"),
+    {SECTION_SOLVER, "crack_model", KIND_CHOICE, .offset = IN_PROBLEM(kansa.crack_model),
+     .choices = CHOICES("analytic"),
      .planned = CHOICES("paper", "visible"), .fallback = "analytic", .doc = "analytic crack fields, the local limit"},
     {SECTION_SOLVER, "spacing", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(kansa.spacing),
      .derive = pdmc_study_default_spacing, .fallback = "min(width, height) / 20",
