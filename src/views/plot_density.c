@@ -4,8 +4,16 @@
 #include <math.h>
 
 enum { SHOWN = 2 };
-static const double turns[SHOWN] = {0.0, 45.0}; // from straight ahead, degrees
 static const char *const colours[SHOWN] = {PDMC_BLUE, PDMC_VERMILION};
+
+/// Straight ahead, and 45 degrees off to the side that points up: the left tip's are pi and 3 pi / 4, as in figure 11 of
+/// Evangelatos & Spanos (2011).
+static double shown_direction(const pdmc_tip *tip, int i)
+{
+    const double turn = 45.0 / pdmc_degrees;
+    if (i == 0) return tip->direction;
+    return tip->direction + (sin(tip->direction + turn) >= sin(tip->direction - turn) ? turn : -turn);
+}
 
 static double finite_or(double x, double otherwise)
 {
@@ -51,7 +59,7 @@ void pdmc_draw_density(const pdmc_results *r, int tip, pdmc_measure measure, con
     size_t at[SHOWN];
     double degrees[SHOWN];
     for (int i = 0; i < SHOWN; i++) {
-        const int k = pdmc_nearest_angle(r, r->tips[tip].direction + turns[i] / pdmc_degrees);
+        const int k = pdmc_nearest_angle(r, shown_direction(&r->tips[tip], i));
         at[i] = pdmc_place(r, tip, k);
         degrees[i] = r->angles[k] * pdmc_degrees;
         put_steps(r, measure, at[i], i, script);
