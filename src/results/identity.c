@@ -68,9 +68,10 @@ static pdmc_status check_levels(hid_t file, const char *path)
     const hid_t group = H5Gopen2(file, "/statistics", H5P_DEFAULT);
     PDMC_H5_TRY(group, PDMC_ERR_DATA, path);
     PDMC_TRY(pdmc_h5_read_numbers(group, "quantile_levels", H5T_NATIVE_DOUBLE, PDMC_QUANTILES, levels));
-    if (memcmp(levels, pdmc_quantile_levels, sizeof levels) != 0)
-        PDMC_FAIL(PDMC_ERR_DATA, "%s: has the quantiles %g, %g, %g instead of %g, %g, %g", path, levels[0], levels[1],
-                  levels[2], pdmc_quantile_levels[0], pdmc_quantile_levels[1], pdmc_quantile_levels[2]);
+    for (int q = 0; q < PDMC_QUANTILES; q++)
+        if (levels[q] != pdmc_quantile_levels[q])
+            PDMC_FAIL(PDMC_ERR_DATA, "%s: has the quantile %g where %g is expected", path, levels[q],
+                      pdmc_quantile_levels[q]);
 
 done:
     pdmc_h5_close(group);

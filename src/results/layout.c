@@ -188,7 +188,7 @@ size_t pdmc_dimension_size(const pdmc_results *results, pdmc_dimension dimension
     int count = 0;
     if (dimensions[dimension].counted)
         memcpy(&count, (const char *)results + dimensions[dimension].member, sizeof count);
-    return (size_t)(count + dimensions[dimension].more);
+    return (size_t)count + (size_t)dimensions[dimension].more;
 }
 
 size_t pdmc_dataset_rank(const pdmc_dataset *dataset)

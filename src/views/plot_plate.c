@@ -7,9 +7,9 @@
 static double displacement_scale(const pdmc_results *r)
 {
     double largest = 0.0;
-    for (int i = 0; i < 2 * r->field.node_count; i++)
+    for (size_t i = 0; i < 2 * (size_t)r->field.node_count; i++)
         if (isfinite(r->field.node_displacement[i])) largest = fmax(largest, fabs(r->field.node_displacement[i]));
-    for (int i = 0; i < 4 * r->crack_count * r->field.face_points; i++)
+    for (size_t i = 0; i < 4 * (size_t)r->crack_count * (size_t)r->field.face_points; i++)
         if (isfinite(r->field.face_displacement[i])) largest = fmax(largest, fabs(r->field.face_displacement[i]));
     const double ideal = 0.08 * fmax(r->plate_width, r->plate_height) / largest;
     if (!isfinite(ideal) || !(ideal > 0.0)) return 1.0;
@@ -20,7 +20,7 @@ static double displacement_scale(const pdmc_results *r)
 static void put_nodes(const pdmc_field *field, double scale, FILE *script)
 {
     fputs("$nodes << EOD\n", script);
-    for (int i = 0; i < field->node_count; i++) {
+    for (size_t i = 0; i < (size_t)field->node_count; i++) {
         const double *x = &field->node_position[2 * i], *u = &field->node_displacement[2 * i];
         fprintf(script, "%.9g %.9g %.9g %.9g\n", x[0], x[1], x[0] + scale * u[0], x[1] + scale * u[1]);
     }
@@ -30,7 +30,7 @@ static void put_nodes(const pdmc_field *field, double scale, FILE *script)
 static void put_cracks(const pdmc_results *r, FILE *script)
 {
     fputs("$cracks << EOD\n", script);
-    for (int c = 0; c < r->crack_count; c++) {
+    for (size_t c = 0; c < (size_t)r->crack_count; c++) {
         const double *crack = &r->cracks[4 * c];
         fprintf(script, "%.9g %.9g\n%.9g %.9g\n\n", crack[0], crack[1], crack[2], crack[3]);
     }
@@ -40,11 +40,11 @@ static void put_cracks(const pdmc_results *r, FILE *script)
 /// The outline of each opened crack: along the left face and back along the right one.
 static void put_faces(const pdmc_results *r, double scale, FILE *script)
 {
-    const int n = r->field.face_points;
+    const size_t n = (size_t)r->field.face_points;
     fputs("$faces << EOD\n", script);
-    for (int c = 0; c < r->crack_count; c++) {
-        for (int i = 0; i < 2 * n; i++) {
-            const int side = i / n, at = c * n + (side ? 2 * n - 1 - i : i);
+    for (size_t c = 0; c < (size_t)r->crack_count; c++) {
+        for (size_t i = 0; i < 2 * n; i++) {
+            const size_t side = i / n, at = c * n + (side ? 2 * n - 1 - i : i);
             const double *x = &r->field.face_position[2 * at];
             const double *u = &r->field.face_displacement[4 * at + 2 * side];
             fprintf(script, "%.9g %.9g\n", x[0] + scale * u[0], x[1] + scale * u[1]);
