@@ -75,6 +75,18 @@ int run_command(const arguments *given)
     return code;
 }
 
+static void print_cost(const pdmc_cost *cost, int threads)
+{
+    const double s = cost->seconds;
+    printf("# %d nodes, %d unknowns, %d rows; about %.0f MB and ", cost->nodes, cost->unknowns, cost->rows,
+           cost->bytes / 1e6);
+    if (s < 9.95) printf("%.1f s", s);
+    else if (s < 300.0) printf("%.0f s", s);
+    else if (s < 3.0 * 3600.0) printf("%.0f min", s / 60.0);
+    else printf("%.0f h", s / 3600.0);
+    printf(" on %d thread%s\n", threads, threads == 1 ? "" : "s");
+}
+
 int check_command(const arguments *given)
 {
     pdmc_study study = {0};
@@ -83,8 +95,8 @@ int check_command(const arguments *given)
     if (status == PDMC_OK) {
         const int threads = thread_count(given);
         const pdmc_cost cost = pdmc_run_cost(&study.problem, threads);
-        printf("%s\n# %d nodes, %d unknowns, %d rows; about %.0f MB and %.2g s on %d thread%s\n", study.resolved,
-               cost.nodes, cost.unknowns, cost.rows, cost.bytes / 1e6, cost.seconds, threads, threads == 1 ? "" : "s");
+        printf("%s\n", study.resolved);
+        print_cost(&cost, threads);
     }
     pdmc_study_clear(&study);
     return status == PDMC_OK ? EX_OK : fail(status);

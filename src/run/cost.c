@@ -1,50 +1,132 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pdmc/run.h"
 
+#include "pdmc/fracture.h"
+
 #include <math.h>
 
-// What one thread of a 2023 server core does in matrix products of this size, and in bonds of the basis.
-static const double nominal_flops = 30e9;
-static const double seconds_per_value = 3e-9;
+// What a thread of a 2023 server core (AMD EPYC, OpenBLAS 0.3.21) needs, measured on studies/center_crack with spacings
+// of 0.5, 0.25 and 0.125, with all rings and without, and with direct solves.
+static const double seconds_per_flop = 1.0 / 30e9; // of Householder QR
+static const double seconds_per_row_value = 15e-9; // of the basis on a ring: values of a row of the operator
+static const double seconds_per_bond_value = 5e-9; // of the basis at the two ends of a bond
+static const double seconds_per_word_value = 16e-9; // of a ring's operator, in the making of the response space
+static const double seconds_per_bond = 0.4e-9, seconds_per_bond_direction = 0.027e-9; // of a sample
+static const double seconds_per_distribution = 1.7e-3; // intervals of a histogram
+static const double seconds_per_sorted_value = 25e-9;  // times log2 of their number
+static const double seconds_per_byte = 5e-9;           // of the result file
+static const double bytes_of_program = 15e6;
 
-// Operations of the parts that are worth counting; n unknowns, m rows, q rings.
-static double operations(const pdmc_problem *problem, double n, double m, double q, double interior)
+static const double response_size = 28.0; // dimension of the response space, as measured
+
+// The collocation, as counted in src/kansa/points.c, with all points of the rings round the cracks.
+typedef struct {
+    double nodes, unknowns, interior, rows;
+} sizes;
+
+static sizes count(const pdmc_problem *problem, double spacing)
 {
-    const double directions = problem->energy.tip_count * (double)problem->energy.angles;
-    const double samples = problem->sampling.samples, width = 25.0; // dimension of a crossing, as measured
-    const double factor = 4.0 * m * n * n, project = q * (2.0 * interior * n * n + 2.0 * interior * n * n);
-    const double rows = directions * 4.0 * 1024.0 * width * n;
-    const double direct = 2.0 * m * n * n, expansion = problem->sampling.order * 2.0 * q * n * n;
-    const double solve = problem->sampling.inverse == PDMC_INVERSE_DIRECT ? direct : expansion;
-    return factor + project + rows + samples * (solve + directions * 2.0 * width * (n + 1024.0));
+    const pdmc_kansa_options *options = &problem->kansa;
+    const double nx = fmax(1.0, round(problem->plate.width / spacing));
+    const double ny = fmax(1.0, round(problem->plate.height / spacing));
+    const double monomials = 0.5 * (options->polynomial_degree + 1) * (options->polynomial_degree + 2);
+    const double cracks = problem->crack_count;
+    sizes s = {.nodes = (nx + 1.0) * (ny + 1.0)};
+    s.unknowns = 2.0 * ((nx + 3.0) * (ny + 3.0) + monomials) + 4.0 * options->crack_orders * cracks;
+    s.interior = 2.0 * (s.nodes + 192.0 * cracks);
+    s.rows = s.interior + 2.0 * (4.0 * (nx + ny + 4.0) + 80.0 * cracks) + 2.0 * monomials;
+    return s;
+}
+
+// How often what is done.
+typedef struct {
+    sizes fine, coarse; // coarse: the second solution, by which the errors are estimated
+    double rings;       // on which the operator is assembled
+    double terms;       // rings with a random coefficient
+    double directions, dimension, samples, solved; // solved: samples with a solution of their own, by direct solves
+    double threads;
+} amounts;
+
+static amounts count_all(const pdmc_problem *problem, int threads)
+{
+    const pdmc_uncertainty *noise = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_MICROMODULUS);
+    amounts a = {.threads = threads, .rings = problem->kansa.radial_points, .samples = problem->sampling.samples};
+    a.fine = count(problem, problem->kansa.spacing);
+    a.coarse = count(problem, 1.25 * problem->kansa.spacing);
+    a.terms = noise ? a.rings : 0.0;
+    a.directions = problem->energy.tip_count * (double)problem->energy.angles;
+    a.dimension = noise ? response_size : 2.0;
+    a.solved = noise && problem->sampling.inverse == PDMC_INVERSE_DIRECT ? a.samples : 0.0;
+    return a;
+}
+
+// QR of the mean system, on one thread, after its assembly on all.
+static double seconds_to_solve(const amounts *a, const sizes *s)
+{
+    const double values = a->rings * s->interior * s->unknowns, n = s->unknowns;
+    return seconds_per_row_value * values / a->threads + seconds_per_flop * n * n * (4.0 * s->rows - 4.0 / 3.0 * n);
+}
+
+// The first block is solved alone, since the run is refused if it diverges; the others are shared out whole.
+static double seconds_to_sample(const amounts *a)
+{
+    const double n = a->fine.unknowns;
+    const double solve = a->solved > 0.0 ? seconds_per_flop * n * n * (2.0 * a->fine.rows - 2.0 / 3.0 * n) : 0.0;
+    const double bond = seconds_per_bond + a->dimension * seconds_per_bond_direction;
+    const double blocks = ceil(a->samples / PDMC_BLOCK), rounds = 1.0 + ceil((blocks - 1.0) / a->threads);
+    return fmin(rounds * PDMC_BLOCK, a->samples) * (solve + a->directions * PDMC_CROSSING_BONDS * bond);
+}
+
+static double seconds_to_summarise(const amounts *a)
+{
+    const double sorted = a->samples * log2(1.0 + a->samples);
+    return PDMC_MEASURES * a->directions * (seconds_per_distribution + seconds_per_sorted_value * sorted) / a->threads;
+}
+
+static double bytes_of_results(const amounts *a, double bins)
+{
+    return 8.0 * a->samples * (PDMC_MEASURES * a->directions + bins);
+}
+
+static double seconds_in_all(const amounts *a, double file)
+{
+    const double n = a->fine.unknowns;
+    const double whitened = a->solved > 0.0 ? seconds_per_flop * a->terms * a->fine.interior * n * n / a->threads : 0.0;
+    const double errors = a->directions > 0.0 ? seconds_to_solve(a, &a->coarse) : 0.0;
+    const double operators = seconds_per_word_value * a->terms * n * a->fine.rows;
+    const double crossings = seconds_per_bond_value * a->directions * PDMC_CROSSING_BONDS * n / a->threads;
+    return seconds_to_solve(a, &a->fine) + errors + operators + whitened + crossings + seconds_to_sample(a) +
+           seconds_to_summarise(a) + seconds_per_byte * file;
+}
+
+// Rings, Q and R.
+static double numbers_kept(const amounts *a, const sizes *s)
+{
+    return s->unknowns * (a->rings * s->interior + s->rows + s->unknowns);
+}
+
+// The largest of three moments: both solutions at once, the samples, and the result file, which is made in memory when
+// everything else has gone.
+static double bytes_at_most(const amounts *a, double file)
+{
+    const double n = a->fine.unknowns;
+    const double coarse = a->directions > 0.0 ? numbers_kept(a, &a->coarse) + a->coarse.rows * a->coarse.unknowns : 0.0;
+    const double direct = a->solved > 0.0 ? n * (a->terms * a->fine.interior + a->threads * a->fine.rows) : 0.0;
+    const double crossings = a->directions * PDMC_CROSSING_BONDS * a->dimension + a->threads * PDMC_CROSSING_BONDS * n;
+    const double solving = 8.0 * fmax(coarse, n * a->fine.rows), sampling = 8.0 * (direct + crossings) + file;
+    return bytes_of_program + fmax(2.0 * file, 8.0 * numbers_kept(a, &a->fine) + fmax(solving, sampling));
 }
 
 pdmc_cost pdmc_run_cost(const pdmc_problem *problem, int threads)
 {
-    const double h = problem->kansa.spacing;
-    const double nx = fmax(1.0, round(problem->plate.width / h)), ny = fmax(1.0, round(problem->plate.height / h));
-    const int degree = problem->kansa.polynomial_degree;
-    const double monomials = 0.5 * (degree + 1) * (degree + 2), nodes = (nx + 1.0) * (ny + 1.0);
-    const double n = 2.0 * ((nx + 3.0) * (ny + 3.0) + monomials) + 4.0 * problem->kansa.crack_orders * problem->crack_count;
-    const double interior = 2.0 * (nodes + 192.0 * problem->crack_count);
-    const double boundary = 2.0 * (4.0 * (nx + ny + 4.0) + 80.0 * problem->crack_count);
-    const double m = interior + boundary + 2.0 * monomials;
-    const bool is_random = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_MICROMODULUS) != NULL;
-    const double rings = problem->kansa.radial_points, q = is_random ? rings : 0.0;
-    const double directions = problem->energy.tip_count * (double)problem->energy.angles;
-
-    const double values = interior * rings * 12.0 * n / 4.0 + directions * 1024.0 * n;
-    const double seconds = seconds_per_value * values + operations(problem, n, m, q, interior) / nominal_flops;
-    const double samples = problem->sampling.samples, bins = is_random ? rings : 1.0;
-    const double matrices = rings * interior * n + q * (interior * n + n * n) + 2.0 * m * n + n * n;
-    const double direct = problem->sampling.inverse == PDMC_INVERSE_DIRECT ? threads * m * n : 0.0;
-    const double work = threads * (3072.0 * n + 64.0 * n * (3.0 + q));
-    const double numbers = matrices + direct + work + directions * 25.0 * (n + 1024.0) + samples * (2.0 * directions + bins);
+    const amounts a = count_all(problem, threads);
+    const pdmc_uncertainty *noise = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_MICROMODULUS);
+    const double file = bytes_of_results(&a, noise ? noise->bins : 0.0);
     return (pdmc_cost){
-        .nodes = (int)nodes,
-        .unknowns = (int)n,
-        .rows = (int)m,
-        .bytes = 8.0 * numbers,
-        .seconds = seconds / threads,
+        .nodes = (int)a.fine.nodes,
+        .unknowns = (int)a.fine.unknowns,
+        .rows = (int)a.fine.rows,
+        .bytes = bytes_at_most(&a, file),
+        .seconds = seconds_in_all(&a, file),
     };
 }
