@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The estimate of the cost counts what the run then has. Seconds and bytes depend on the machine, so only their order
+/// is checked here: an estimate that lost a part, or a factor of a thousand, is seen.
+
+#include "run/studies.h"
+
+// What one thread is said to need, and what it then does.
+static void estimate(const char *sampling, pdmc_cost *cost, pdmc_results *results)
+{
+    pdmc_study study;
+    const pdmc_run_options options = {.threads = 1};
+    read_study(ONE_CRACK, BOTH, sampling, &study);
+    *cost = pdmc_run_cost(&study.problem, 1);
+    CHECK_OK(pdmc_run(&study, &options, results));
+    pdmc_study_clear(&study);
+}
+
+static void counts(void **state)
+{
+    (void)state;
+    pdmc_cost cost;
+    pdmc_results results;
+    estimate("samples = 10;", &cost, &results);
+    assert_int_equal(cost.nodes, results.solver.nodes);
+    assert_int_equal(cost.unknowns, results.solver.unknowns);
+    CHECK_NEAR(cost.rows, results.solver.rows, 0.2 * results.solver.rows); // points near tips and outside are left out
+    pdmc_results_clear(&results);
+}
+
+static void seconds_and_bytes(void **state)
+{
+    (void)state;
+    const char *samplings[] = {"samples = 2000;", "samples = 128; inverse = \"direct\";"};
+    for (int i = 0; i < 2; i++) {
+        pdmc_cost cost;
+        pdmc_results results;
+        estimate(samplings[i], &cost, &results);
+        const double times = results.runtime.total / cost.seconds; // sanitizers and loaded machines are slow
+        if (!(0.2 < times && times < 50.0)) fail_msg("%s took %g times the estimate", samplings[i], times);
+        if (!(20e6 < cost.bytes && cost.bytes < 200e6)) fail_msg("%s: %g bytes", samplings[i], cost.bytes);
+        pdmc_results_clear(&results);
+    }
+}
+
+static void more_costs_more(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    read_study(ONE_CRACK, BOTH, "samples = 128; inverse = \"direct\";", &study);
+    const pdmc_cost base = pdmc_run_cost(&study.problem, 1), shared = pdmc_run_cost(&study.problem, 2);
+    assert_true(shared.seconds < base.seconds && shared.bytes > base.bytes);
+    study.problem.sampling.samples *= 100;
+    const pdmc_cost longer = pdmc_run_cost(&study.problem, 1);
+    assert_true(50.0 * base.seconds < longer.seconds && longer.seconds < 100.0 * base.seconds);
+    assert_true(longer.bytes > base.bytes);
+    study.problem.sampling.inverse = PDMC_INVERSE_NEUMANN;
+    assert_true(pdmc_run_cost(&study.problem, 1).seconds < 0.5 * longer.seconds);
+    pdmc_study_clear(&study);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(counts),
+        cmocka_unit_test(seconds_and_bytes),
+        cmocka_unit_test(more_costs_more),
+    };
+    return cmocka_run_group_tests(tests, enter_folder, leave_folder);
+}
