@@ -28,7 +28,7 @@ void pdmc_draw_direction(const pdmc_results *r, int tip, const pdmc_figure *figu
     pdmc_figure_label(figure, "title", "Direction of growth at tip ", r->tips[tip].name, "");
     fprintf(script, "set xlabel 'Angle φ from the x axis (degrees)'\n");
     fprintf(script, "set ylabel 'Probability that the %s energy is largest'\n", pdmc_measure_title(r->measure));
-    fprintf(script, "set xrange [%.9g:%.9g]\nset yrange [0:*<1]\nset grid noxtics\nset xtics %g\n", centre - half,
+    fprintf(script, "set xrange [%.9g:%.9g]\nset yrange [0:*<1.05]\nset grid noxtics\nset xtics %g\n", centre - half,
             centre + half,
             half > 90.0   ? 45.0
             : half > 45.0 ? 15.0

@@ -72,9 +72,9 @@ void pdmc_draw_plate(const pdmc_results *r, const pdmc_figure *figure)
     pdmc_figure_label(figure, "title", "", r->title, "");
     pdmc_figure_label(figure, "xlabel", "x (", r->length_unit, ")");
     pdmc_figure_label(figure, "ylabel", "y (", r->length_unit, ")");
-    fprintf(script,
-            "set size ratio -1\nset key outside right top\nset offsets graph 0.03, graph 0.03, graph 0.03, graph 0.03\n"
-            "plot $plate with lines linecolor 'black' linewidth 1 title 'plate'");
+    fprintf(script, "set size ratio -1\nset autoscale fix\nset key outside right top\nset offsets graph 0.03, graph "
+                    "0.03, graph 0.03, graph 0.03\n"
+                    "plot $plate with lines linecolor 'black' linewidth 1 title 'plate'");
     if (r->field.node_count > 0)
         fprintf(script,
                 ", $nodes using 1:2 with points pointtype 7 pointsize 0.26 linecolor '#b8b8b8' title 'nodes', "
