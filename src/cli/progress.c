@@ -37,7 +37,6 @@ static void catch_signals(void)
     catch_signal(SIGTERM);
     sigaction(SIGHUP, NULL, &hangup);
     if (hangup.sa_handler != SIG_IGN) catch_signal(SIGHUP); // nohup pdmc ... goes on
-    signal(SIGPIPE, SIG_IGN); // a run is not lost because nobody reads its progress any more
 }
 
 static double now(void)

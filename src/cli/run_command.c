@@ -8,6 +8,7 @@
 #include "pdmc/views.h"
 
 #include <omp.h>
+#include <signal.h>
 #include <stdio.h>
 #include <sysexits.h>
 
@@ -66,6 +67,7 @@ int run_command(const arguments *given)
 {
     pdmc_study study = {0};
     char name[PATH_MAX];
+    signal(SIGPIPE, SIG_IGN); // a run is not lost because nobody reads its messages any more
     default_output(given->input, name);
     const char *path = given->output ? given->output : name;
     const pdmc_status status = read_study(given, &study);

@@ -12,8 +12,8 @@
 #define LOAD "{ quantity = \"load\"; distribution = \"normal\"; variation = 0.2; }"
 #define BOTH MICROMODULUS ", " LOAD
 
-/// A plate under tension: `top` holds the cracks and what else belongs to the study as a whole, `random` is the inside of
-/// its list, `sampling` of its group.
+/// A plate under tension: `top` holds the cracks and what else belongs to the study as a whole, `random` is the inside
+/// of its list, `sampling` of its group.
 static inline void read_study(const char *top, const char *random, const char *sampling, pdmc_study *study)
 {
     char text[2048];

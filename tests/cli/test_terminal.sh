@@ -1,0 +1,20 @@
+#!/bin/sh
+# Progress: one line that is redrawn on a terminal, a line for each tenth elsewhere.
+. "$(dirname "$0")/common.sh"
+command -v script >/dev/null || exit 77
+
+# on_terminal TERM: leaves what a run prints to a terminal of this kind in the file shown.
+on_terminal() {
+    TERM=$1 script -qec "'$pdmc' -f -n 700 small.cfg" /dev/null >shown </dev/null || fail "exit $?: $(cat shown)"
+}
+return=$(printf '\r')
+on_terminal xterm
+expect_line shown "${return}preparing the solver"
+expect_line shown "${return}64 of 700 samples"
+expect_line shown "${return}700 of 700 samples"
+on_terminal dumb
+! grep -qF 'preparing' shown || fail 'redrawn on a dumb terminal'
+
+run '"$pdmc" -f -n 700 small.cfg'
+! grep -qF "$return" err || fail 'redrawn in a file'
+[ "$(grep -cE '^[0-9]+ of 700 samples' err)" -eq 10 ] || fail "not a line for each tenth: $(cat err)"
