@@ -14,3 +14,6 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/pdmcConfigVersion.cmake DESTINATION ${
 file(RELATIVE_PATH pc_to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 configure_file(cmake/pdmc.pc.in pdmc.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/pdmc.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+# The man pages.
+add_subdirectory(docs/man)

@@ -49,8 +49,8 @@ static void energy_lengths_that_do_not_fit(void **state)
     expect(
         LINE_ENERGY, "energy = { horizon = 0.02; extension = 0.1; };",
         "study.cfg:10: warning: energy.extension: extension 0.1 is 5 times the energy horizon 0.02: G_E then "
-        "measures the field at a distance from the tip, not at it (advised: at most 0.25 of the horizon); the paper's own case has "
-        "extension = crack half length\n");
+        "measures the field at a distance from the tip, not at it (advised: at most 0.25 of the horizon); "
+        "the paper's own case has extension = crack half length\n");
     expect(LINE_ENERGY, "energy = { horizon = 0.3; tips = [\"a.to\"]; };",
            "study.cfg:10: warning: energy.horizon: 0.3 is 0.6 of the crack's half length 0.5 at a.to: G_E "
            "then sees the whole crack, "
