@@ -69,6 +69,8 @@ typedef struct {
     int polynomial_degree; // of the appended monomials
     int crack_orders;      // M, orders w^1 .. w^M of the analytic crack fields
     int radial_points;     // rings on which the operator is sampled for a random c(r)
+    bool tip_functions;    // of the paper's crack model: eq. 38 at every tip
+    double edge_layer;     // of the paper's crack model: e, the thickness of the layer that loads act on, length
 } pdmc_kansa_options;
 
 typedef enum { PDMC_INVERSE_DIRECT, PDMC_INVERSE_NEUMANN } pdmc_inverse;

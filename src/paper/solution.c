@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/base_impl.h"
+#include "paper/paper_impl.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double beside = 1e-6; // of the half length: where the anchors of a crack's faces lie
+
+pdmc_status pdmc_paper_displacement(const pdmc_paper *paper, const double x[2], const double anchor[2], double u[2])
+{
+    pdmc_status status = PDMC_OK;
+    const int scalars = paper->basis.scalars;
+    double *value = NULL;
+    PDMC_NEW(value, scalars);
+    pdmc_paper_values(&paper->basis, x, anchor, value);
+    for (int k = 0; k < 2; k++) u[k] = cblas_ddot(scalars, value, 1, &paper->coefficients[k * scalars], 1);
+done:
+    pdmc_free(value);
+    return status;
+}
+
+// A point of a crack at `share` of the way from "from" to "to", with an anchor to the left (side = 1) or right (-1) of it.
+static void face_point(const pdmc_crack *crack, double share, int side, double x[2], double anchor[2])
+{
+    const double d[2] = {crack->to[0] - crack->from[0], crack->to[1] - crack->from[1]};
+    for (int k = 0; k < 2; k++) x[k] = crack->from[k] + share * d[k];
+    anchor[0] = x[0] - 0.5 * beside * side * d[1];
+    anchor[1] = x[1] + 0.5 * beside * side * d[0];
+}
+
+// The values to the left less those to the right of a crack.
+static void jump_values(const pdmc_paper_basis *basis, const pdmc_crack *crack, double share, double right[],
+                        double jump[])
+{
+    double x[2], anchor[2];
+    face_point(crack, share, 1, x, anchor);
+    pdmc_paper_values(basis, x, anchor, jump);
+    face_point(crack, share, -1, x, anchor);
+    pdmc_paper_values(basis, x, anchor, right);
+    cblas_daxpy(basis->scalars, -1.0, right, 1, jump, 1);
+}
+
+enum { OPENINGS = 19 };
+
+// The intercept of a straight line fitted to values at these points is their sum with these weights.
+static void intercept_weights(double r[OPENINGS], double weight[OPENINGS])
+{
+    const double first = 0.02, last = 0.2, mean = 0.5 * (first + last);
+    double squares = 0.0;
+    for (int i = 0; i < OPENINGS; i++) {
+        r[i] = first + (last - first) * i / (OPENINGS - 1);
+        squares += (r[i] - mean) * (r[i] - mean);
+    }
+    for (int i = 0; i < OPENINGS; i++) weight[i] = 1.0 / OPENINGS - mean * (r[i] - mean) / squares;
+}
+
+pdmc_status pdmc_paper_stress_intensity_rows(const pdmc_paper *paper, int tip, double row_1[], double row_2[])
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_paper_basis *basis = &paper->basis;
+    const pdmc_crack *crack = &paper->problem->cracks[tip / 2];
+    const double d[2] = {crack->to[0] - crack->from[0], crack->to[1] - crack->from[1]}, length = hypot(d[0], d[1]);
+    const double t[2] = {d[0] / length, d[1] / length}, pi = 3.14159265358979323846;
+    const int scalars = basis->scalars;
+    double r[OPENINGS], weight[OPENINGS], *right = NULL, *jump = NULL;
+    PDMC_NEW(right, scalars);
+    PDMC_NEW(jump, scalars);
+    intercept_weights(r, weight);
+    for (int i = 0; i < OPENINGS; i++) {
+        jump_values(basis, crack, tip % 2 ? 1.0 - 0.5 * r[i] : 0.5 * r[i], right, jump);
+        const double factor = weight[i] * pdmc_plane_modulus(&paper->problem->material) / 8.0 *
+                              sqrt(2.0 * pi / (0.5 * length * r[i]));
+        cblas_daxpy(scalars, -factor * t[1], jump, 1, row_1, 1);
+        cblas_daxpy(scalars, factor * t[0], jump, 1, row_1 + scalars, 1);
+        cblas_daxpy(scalars, factor * t[0], jump, 1, row_2, 1);
+        cblas_daxpy(scalars, factor * t[1], jump, 1, row_2 + scalars, 1);
+    }
+done:
+    pdmc_free(right);
+    pdmc_free(jump);
+    return status;
+}
+
+pdmc_status pdmc_paper_tip(const pdmc_paper *paper, int tip, pdmc_tip *out)
+{
+    const pdmc_problem *problem = paper->problem;
+    PDMC_REQUIRE(0 <= tip && tip < 2 * problem->crack_count, "tip %d: there are %d", tip, 2 * problem->crack_count);
+    pdmc_status status = PDMC_OK;
+    const pdmc_crack *crack = &problem->cracks[tip / 2];
+    const double *other = tip % 2 ? crack->from : crack->to, *at = tip % 2 ? crack->to : crack->from;
+    const int n = paper->unknowns;
+    double *row = NULL;
+    PDMC_NEW(row, 2 * n);
+    PDMC_TRY(pdmc_paper_stress_intensity_rows(paper, tip, row, row + n));
+    *out = (pdmc_tip){.position = {at[0], at[1]},
+                      .direction = atan2(at[1] - other[1], at[0] - other[0]),
+                      .t_stress = NAN,
+                      .stress_intensity_error = {NAN, NAN},
+                      .t_stress_error = NAN};
+    snprintf(out->name, sizeof out->name, "%s.%s", crack->name, tip % 2 ? "to" : "from");
+    for (int k = 0; k < 2; k++) out->stress_intensity[k] = cblas_ddot(n, row + k * n, 1, paper->coefficients, 1);
+done:
+    pdmc_free(row);
+    return status;
+}
+
+enum { FACE_POINTS = 101 };
+
+static pdmc_status fill_face(const pdmc_paper *paper, int c, pdmc_field *field)
+{
+    const double pi = 3.14159265358979323846;
+    for (int i = 0; i < FACE_POINTS; i++) {
+        const double share = 0.5 - 0.5 * cos(pi * i / (FACE_POINTS - 1)) * (1.0 - 1e-12);
+        const size_t at = (size_t)(c * FACE_POINTS + i);
+        for (int face = 0; face < 2; face++) {
+            double anchor[2], *x = &field->face_position[2 * at];
+            face_point(&paper->problem->cracks[c], share, face == 0 ? 1 : -1, x, anchor);
+            const pdmc_status status =
+                pdmc_paper_displacement(paper, x, anchor, &field->face_displacement[4 * at + 2 * (size_t)face]);
+            if (status != PDMC_OK) return status;
+        }
+    }
+    return PDMC_OK;
+}
+
+pdmc_status pdmc_paper_field(const pdmc_paper *paper, pdmc_field *field)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_paper_nodes *nodes = &paper->basis.nodes;
+    const int cracks = paper->problem->crack_count;
+    *field = (pdmc_field){.node_count = nodes->count, .face_points = FACE_POINTS};
+    PDMC_NEW(field->node_position, 2 * nodes->count);
+    PDMC_NEW(field->node_displacement, 2 * nodes->count);
+    PDMC_NEW(field->face_position, 2 * FACE_POINTS * cracks);
+    PDMC_NEW(field->face_displacement, 4 * FACE_POINTS * cracks);
+    memcpy(field->node_position, nodes->x, 2 * (size_t)nodes->count * sizeof(double));
+    for (int k = 0; k < nodes->count; k++) {
+        const double *x = &nodes->x[2 * k];
+        PDMC_TRY(pdmc_paper_displacement(paper, x, x, &field->node_displacement[2 * k]));
+    }
+    for (int c = 0; c < cracks; c++) PDMC_TRY(fill_face(paper, c, field));
+done:
+    if (status != PDMC_OK) {
+        pdmc_free(field->node_position);
+        pdmc_free(field->node_displacement);
+        pdmc_free(field->face_position);
+        pdmc_free(field->face_displacement);
+        *field = (pdmc_field){0};
+    }
+    return status;
+}

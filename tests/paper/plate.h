@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The plates of kansa/plate.h with the settings of the paper's recipe: e = horizon / 5.
+
+#include "kansa/plate.h"
+#include "paper/paper_impl.h"
+
+static inline void paper_settings(plate *p, bool tip_functions)
+{
+    p->problem.kansa.crack_model = PDMC_CRACKS_PAPER;
+    p->problem.kansa.edge_layer = p->problem.kansa.horizon / 5.0;
+    p->problem.kansa.tip_functions = tip_functions;
+}
