@@ -14,6 +14,7 @@
 /// equations.
 
 #include "pdmc/affine.h"
+#include "pdmc/dynamics.h"
 #include "pdmc/results.h"
 
 typedef struct pdmc_kansa pdmc_kansa;
@@ -70,3 +71,16 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_field(const pdmc_kansa *kansa, pd
 /// @param[in]  kansa  must outlive the model
 /// @param[out] model  free with pdmc_affine_clear(); zero on failure
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_affine(const pdmc_kansa *kansa, pdmc_affine *model);
+
+/// The plate as the integration of its motion sees it: the weak form in the same trial functions, in which mass and stiffness
+/// are symmetric and energy is conserved. (The rows of the collocation, with inertia added, have eigenvalues in the left half
+/// plane, and the motion explodes.) Local stresses, as in the traction rows; prescribed displacements by a penalty of 1e4 E / h.
+/// @param[in]  inertia  kappa of pdmc_motion_inertia()
+/// @param[out] model    free with pdmc_motion_model_clear(); zero on failure
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_motion(const pdmc_kansa *kansa, double inertia, pdmc_motion_model *model);
+
+/// The rows that give the displacement at x, u and v, of a state of the model's motion.
+/// @param[in]  anchor  the side of a crack that is meant; x elsewhere
+/// @param[out] row     [2, unknowns]
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_motion_rows(const pdmc_kansa *kansa, const double x[2],
+                                                           const double anchor[2], double row[]);

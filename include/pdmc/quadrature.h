@@ -41,3 +41,26 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_ring_rule_create(int rings, int bins, i
 
 /// A zeroed rule is allowed.
 PDMC_API void pdmc_ring_rule_clear(pdmc_ring_rule *rule);
+
+/// Points and weights of a rule over a region of the plane.
+typedef struct {
+    int count;
+    double *x;      // [count, 2]
+    double *weight; // [count] area
+} pdmc_area_rule;
+
+/// A rule over a rectangle, centred at the origin, that cracks cut: exact to rounding for smooth fields on either side of them,
+/// and for those that go with the square root of the distance from a tip, or with its inverse, and their squares.
+///
+/// The rectangle is split into convex cells by the lines of the cracks, with the tips as vertices; the cells into triangles no
+/// longer than `size` nor than their distance from the nearest tip; each triangle carries a Gauss rule collapsed at its first
+/// vertex, the tip if it has one, in the square root of the distance.
+/// @param[in]  cracks   number of segments
+/// @param[in]  segment  [cracks, 4] from x, y, to x, y; inside the rectangle, not touching one another
+/// @param[out] rule     free with pdmc_area_rule_clear(); zero on failure
+/// @return PDMC_OK, PDMC_ERR_ARG, or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_area_rule_create(double width, double height, int cracks,
+                                                          const double segment[], double size, pdmc_area_rule *rule);
+
+/// A zeroed rule is allowed.
+PDMC_API void pdmc_area_rule_clear(pdmc_area_rule *rule);
