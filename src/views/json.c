@@ -144,11 +144,11 @@ static json_t *tips(const pdmc_results *r)
         json_t *object = json_object();
         put(&object, "name", text(r->tips[t].name));
         put(&object, "position", numbers(2, r->tips[t].position));
-        put(&object, "direction", number(r->tips[t].direction));
+        put(&object, "straight_ahead", number(r->tips[t].direction));
         put(&object, "nominal", nominal(r, t));
         put(&object, "angles", numbers((size_t)r->angle_count, r->angles));
         for (int m = 0; m < PDMC_MEASURES; m++) put(&object, pdmc_measure_names[m], energy(r, t, &r->statistics[m]));
-        put(&object, "direction_of_growth", direction(r, t));
+        put(&object, "direction", direction(r, t));
         put(&object, "probability", probability(&r->probability[t]));
         append(&array, object);
     }

@@ -64,7 +64,7 @@ static void expect_tip(const json_t *tip, const char *name, double x)
     expect_reals(tip, "angles", 8);
     CHECK_NEAR(json_number_value(json_array_get(json_object_get(tip, "angles"), 1)), 0.785398163397448, 1e-14);
     for (int m = 0; m < PDMC_MEASURES; m++) expect_energy(tip, pdmc_measure_names[m]);
-    assert_true(json_is_object(json_object_get(tip, "direction_of_growth")));
+    assert_true(json_is_object(json_object_get(tip, "direction")));
     expect_number(probability, "value");
     expect_number(probability, "lower");
     expect_number(probability, "upper");

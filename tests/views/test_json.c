@@ -39,7 +39,7 @@ static void it_has_what_programs_ask(void **state)
     CHECK_NEAR(json_real_value(json_array_get(interval, 1)), s->mean[3].upper, 0.0);
     json_t *median = json_object_get(json_object_get(energy, "quantiles"), "0.50");
     CHECK_NEAR(json_real_value(json_array_get(median, 3)), s->quantiles[3 * PDMC_QUANTILES + 1].value, 0.0);
-    json_t *direction = json_object_get(tip, "direction_of_growth");
+    json_t *direction = json_object_get(tip, "direction");
     assert_int_equal(json_array_size(json_object_get(direction, "upper")), results.angle_count);
     CHECK_NEAR(json_real_value(json_object_get(json_object_get(tip, "probability"), "lower")),
                results.probability[0].lower, 0.0);
