@@ -116,8 +116,7 @@ static bool check_options(const grammar *g, const char *letters)
     for (; *letters; letters++) {
         if (strchr(g->options, *letters)) continue;
         for (const struct option *o = long_options; o->name; o++)
-            if (o->val == *letters)
-                fprintf(stderr, "pdmc: %s does not take --%s; see pdmc --help\n", g->name, o->name);
+            if (o->val == *letters) fprintf(stderr, "pdmc: %s does not take --%s; see pdmc --help\n", g->name, o->name);
         return false;
     }
     return true;

@@ -48,7 +48,8 @@ static int try_to_create(const char *path)
     }
     free(probe);
     if (descriptor >= 0) return EX_OK;
-    return refuse(path, "cannot be created", error == ENOENT ? "there is no such folder, or it takes no files" : strerror(error));
+    return refuse(path, "cannot be created",
+                  error == ENOENT ? "there is no such folder, or it takes no files" : strerror(error));
 }
 
 int check_output(const char *study, const char *path, bool force)

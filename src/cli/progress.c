@@ -10,7 +10,7 @@
 #include <time.h>
 #include <unistd.h>
 
-static atomic_int interrupts;     // a signal may reach any thread
+static atomic_int interrupts;         // a signal may reach any thread
 static const char *volatile notes[2]; // what the first and the second interrupt say, written before they are caught
 
 static void on_signal(int number)
@@ -54,7 +54,8 @@ void progress_start(bool quiet, progress *state)
     const int skip = state->live ? 0 : 1; // the line end that leaves the live line
     if (!quiet) {
         notes[0] = "\npdmc: stopping: the samples under way are finished, then everything is saved; two more "
-                    "interrupts leave at once and save nothing\n" + skip;
+                   "interrupts leave at once and save nothing\n" +
+                   skip;
         notes[1] = "\npdmc: still stopping; one more interrupt leaves at once and saves nothing\n" + skip;
     }
     catch_signals();

@@ -11,6 +11,7 @@
 #include <signal.h>
 #include <stdio.h>
 #include <sysexits.h>
+#include <unistd.h>
 
 // OpenMP knows which processors this process may use, and what OMP_NUM_THREADS says.
 static int thread_count(const arguments *given)
@@ -50,11 +51,22 @@ static int write_results(const arguments *given, const pdmc_results *results, co
     return EX_TEMPFAIL;
 }
 
+// The system would let the run begin, and kill it when the memory is written to.
+static void warn_of_memory(const pdmc_cost *cost)
+{
+    const double machine = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+    if (cost->bytes > machine)
+        fprintf(stderr, "pdmc: warning: the run needs about %.0f MB of memory, this machine has %.0f MB\n",
+                cost->bytes / 1e6, machine / 1e6);
+}
+
 static int run_study(const arguments *given, const pdmc_study *study, const char *path)
 {
     progress state;
     pdmc_results results = {0};
     const pdmc_run_options options = {.threads = thread_count(given), .progress = progress_show, .context = &state};
+    const pdmc_cost cost = pdmc_run_cost(&study->problem, options.threads);
+    if (!given->quiet) warn_of_memory(&cost);
     progress_start(given->quiet, &state);
     const pdmc_status status = pdmc_run(study, &options, &results);
     progress_end(&state);
@@ -99,6 +111,7 @@ int check_command(const arguments *given)
         const pdmc_cost cost = pdmc_run_cost(&study.problem, threads);
         printf("%s\n", study.resolved);
         print_cost(&cost, threads);
+        if (!given->quiet) warn_of_memory(&cost);
     }
     pdmc_study_clear(&study);
     return status == PDMC_OK ? EX_OK : fail(status);

@@ -7,14 +7,14 @@
 
 // What a thread of a 2023 server core (AMD EPYC, OpenBLAS 0.3.21) needs, measured on studies/center_crack with spacings
 // of 0.5, 0.25 and 0.125, with all rings and without, and with direct solves.
-static const double seconds_per_flop = 1.0 / 30e9; // of Householder QR
-static const double seconds_per_row_value = 15e-9; // of the basis on a ring: values of a row of the operator
-static const double seconds_per_bond_value = 5e-9; // of the basis at the two ends of a bond
+static const double seconds_per_flop = 1.0 / 30e9;  // of Householder QR
+static const double seconds_per_row_value = 15e-9;  // of the basis on a ring: values of a row of the operator
+static const double seconds_per_bond_value = 5e-9;  // of the basis at the two ends of a bond
 static const double seconds_per_word_value = 16e-9; // of a ring's operator, in the making of the response space
 static const double seconds_per_bond = 0.4e-9, seconds_per_bond_direction = 0.027e-9; // of a sample
-static const double seconds_per_distribution = 1.7e-3; // intervals of a histogram
-static const double seconds_per_sorted_value = 25e-9;  // times log2 of their number
-static const double seconds_per_byte = 5e-9;           // of the result file
+static const double seconds_per_distribution = 1.7e-3;                                // intervals of a histogram
+static const double seconds_per_sorted_value = 25e-9;                                 // times log2 of their number
+static const double seconds_per_byte = 5e-9;                                          // of the result file
 static const double bytes_of_program = 15e6;
 
 static const double response_size = 28.0; // dimension of the response space, as measured
@@ -40,9 +40,9 @@ static sizes count(const pdmc_problem *problem, double spacing)
 
 // How often what is done.
 typedef struct {
-    sizes fine, coarse; // coarse: the second solution, by which the errors are estimated
-    double rings;       // on which the operator is assembled
-    double terms;       // rings with a random coefficient
+    sizes fine, coarse;                            // coarse: the second solution, by which the errors are estimated
+    double rings;                                  // on which the operator is assembled
+    double terms;                                  // rings with a random coefficient
     double directions, dimension, samples, solved; // solved: samples with a solution of their own, by direct solves
     double threads;
 } amounts;

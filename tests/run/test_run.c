@@ -145,9 +145,12 @@ static void nothing_to_save(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(threads_change_nothing),    cmocka_unit_test(fewer_samples_are_a_prefix),
-        cmocka_unit_test(seeds_are_different),       cmocka_unit_test(a_stopped_run_is_a_prefix),
-        cmocka_unit_test(a_run_stopped_at_its_end_is_complete), cmocka_unit_test(nothing_to_save),
+        cmocka_unit_test(threads_change_nothing),
+        cmocka_unit_test(fewer_samples_are_a_prefix),
+        cmocka_unit_test(seeds_are_different),
+        cmocka_unit_test(a_stopped_run_is_a_prefix),
+        cmocka_unit_test(a_run_stopped_at_its_end_is_complete),
+        cmocka_unit_test(nothing_to_save),
     };
     return cmocka_run_group_tests(tests, enter_folder, leave_folder);
 }
