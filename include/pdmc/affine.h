@@ -34,8 +34,8 @@ typedef struct {
 } pdmc_affine_verbs;
 
 /// The energy release rate at one point of a circle round a tip in factored form:
-///     G = 1/2 c_0 sum_q g_q sum_{bonds b of ring q} (row_b . x)^2,   g_q = sum_bins (c_bin / c_0) rings.weight[bin][q].
-/// The sign of row_b . x is that of the bond's stretch.
+///     G = 1/2 c_0 sum_q g_q sum_{bonds b of ring q} (row_b . x)^2,   g_q = sum_bins (c_bin / c_0)
+/// rings.weight[bin][q]. The sign of row_b . x is that of the bond's stretch.
 typedef struct {
     int bonds;
     double *row; // [bonds, unknowns]

@@ -14,10 +14,11 @@ typedef struct {
     pdmc_solver_report (*report)(const void *method);
     /// Seconds spent on assembly and on factorisation.
     void (*runtime)(const void *method, double *assembly, double *factorisation);
-    /// The mean displacement at x. On a crack the side is chosen by `anchor`, a point close by on the side that is meant;
-    /// elsewhere anchor = x.
+    /// The mean displacement at x. On a crack the side is chosen by `anchor`, a point close by on the side that is
+    /// meant; elsewhere anchor = x.
     pdmc_status (*displacement)(const void *method, const double x[2], const double anchor[2], double u[2]);
-    /// Name, position and direction of a tip, with K_I, K_II and T at the mean; NaN where the method does not know them.
+    /// Name, position and direction of a tip, with K_I, K_II and T at the mean; NaN where the method does not know
+    /// them.
     pdmc_status (*tip)(const void *method, int tip, pdmc_tip *out);
     /// The nodes and the faces of the cracks with their mean displacement.
     pdmc_status (*field)(const void *method, pdmc_field *field);

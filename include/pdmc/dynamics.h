@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Motion of a discretised plate, M x'' + d M x' + K x = f(t) F (Evangelatos & Spanos 2011, eq. 35), by Newmark's method.
+/// Motion of a discretised plate, M x'' + d M x' + K x = f(t) F (Evangelatos & Spanos 2011, eq. 35), by Newmark's
+/// method.
 
 #include "pdmc/base.h"
 
@@ -51,11 +52,12 @@ PDMC_API void pdmc_motion_model_clear(pdmc_motion_model *model);
 /// The inertia kappa = rho (1 + d dt / 2) 4 / dt^2 for which the model has to be made.
 PDMC_API double pdmc_motion_inertia(const pdmc_motion_options *options);
 
-/// Integrates with Newmark's average acceleration (beta = 1/4, gamma = 1/2): second order, unconditionally stable, and without
-/// numerical damping: without damping and prescribed motion, work = kinetic + elastic to rounding at every step.
+/// Integrates with Newmark's average acceleration (beta = 1/4, gamma = 1/2): second order, unconditionally stable, and
+/// without numerical damping: without damping and prescribed motion, work = kinetic + elastic to rounding at every
+/// step.
 ///
-/// At the start the plate is at rest, undisplaced and without acceleration: a history that does not start at zero is a load
-/// that rises within the first step.
+/// At the start the plate is at rest, undisplaced and without acceleration: a history that does not start at zero is a
+/// load that rises within the first step.
 /// @param[in] observe  called for the start and after every step; NULL is allowed; false stops the integration
 /// @return PDMC_OK, PDMC_ERR_ARG, PDMC_ERR_NOMEM, or the failure of `solve`
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_motion_run(const pdmc_motion_model *model, const pdmc_motion_options *options,

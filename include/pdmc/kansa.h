@@ -4,8 +4,8 @@
 /// Least-squares Kansa collocation with analytic crack fields: the local limit (horizon -> 0) of the peridynamic plate.
 ///
 /// Trial functions: inverse multiquadrics on a grid of nodes (Evangelatos & Spanos 2011, eq. 25-26), monomials, and for
-/// each straight crack the fields w^m, w = (z - sqrt(z - a) sqrt(z + a)) / a, of Muskhelishvili's potentials, which hold
-/// the tip enrichment of eq. 38 in a closed form valid at both tips.
+/// each straight crack the fields w^m, w = (z - sqrt(z - a) sqrt(z + a)) / a, of Muskhelishvili's potentials, which
+/// hold the tip enrichment of eq. 38 in a closed form valid at both tips.
 /// Rows, in units of stress, more than there are unknowns:
 ///  - the bond-based equation (eq. 24) with the full horizon at the nodes and on rings round each crack,
 ///  - sigma(u) n = t, or prescribed displacements, on the sides, and sigma(u) n = 0 on the faces of the cracks,
@@ -19,8 +19,8 @@
 
 typedef struct pdmc_kansa pdmc_kansa;
 
-/// Data other than the problem's own loads and supports, for manufactured solutions. A NULL function means the problem's
-/// own. `problem->supports` still says which components are held on which side.
+/// Data other than the problem's own loads and supports, for manufactured solutions. A NULL function means the
+/// problem's own. `problem->supports` still says which components are held on which side.
 typedef struct {
     void (*body_force)(const double x[2], double b[2]);                           // force / volume
     void (*traction)(const double x[2], const double normal[2], double t[2]);     // force / length^2
@@ -66,18 +66,20 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_tip(const pdmc_kansa *kansa, int 
 /// @param[out] field  free its arrays with pdmc_free or by pdmc_results_clear()
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_field(const pdmc_kansa *kansa, pdmc_field *field);
 
-/// The affine model of the problem's uncertain quantities, in coordinates of the space in which its answers lie, where the mean operator
-/// is the identity; direct solves are made in full and projected.
+/// The affine model of the problem's uncertain quantities, in coordinates of the space in which its answers lie, where
+/// the mean operator is the identity; direct solves are made in full and projected.
 /// @param[in]  kansa  must outlive the model
 /// @param[out] model  free with pdmc_affine_clear(); zero on failure
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_affine(const pdmc_kansa *kansa, pdmc_affine *model);
 
-/// The plate as the integration of its motion sees it: the weak form in the same trial functions, in which mass and stiffness
-/// are symmetric and energy is conserved. (The rows of the collocation, with inertia added, have eigenvalues in the left half
-/// plane, and the motion explodes.) Local stresses, as in the traction rows; prescribed displacements by a penalty of 1e4 E / h.
+/// The plate as the integration of its motion sees it: the weak form in the same trial functions, in which mass and
+/// stiffness are symmetric and energy is conserved. (The rows of the collocation, with inertia added, have eigenvalues
+/// in the left half plane, and the motion explodes.) Local stresses, as in the traction rows; prescribed displacements
+/// by a penalty of 1e4 E / h.
 /// @param[in]  inertia  kappa of pdmc_motion_inertia()
 /// @param[out] model    free with pdmc_motion_model_clear(); zero on failure
-PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_motion(const pdmc_kansa *kansa, double inertia, pdmc_motion_model *model);
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_motion(const pdmc_kansa *kansa, double inertia,
+                                                      pdmc_motion_model *model);
 
 /// The rows that give the displacement at x, u and v, of a state of the model's motion.
 /// @param[in]  anchor  the side of a crack that is meant; x elsewhere

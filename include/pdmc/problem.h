@@ -45,9 +45,9 @@ typedef enum { PDMC_QUANTITY_MICROMODULUS, PDMC_QUANTITY_LOAD } pdmc_quantity;
 typedef enum { PDMC_NORMAL, PDMC_LOGNORMAL } pdmc_distribution_kind;
 
 /// An uncertain quantity.
-/// Micromodulus: "radial noise", c(r) = c_0 (1 + variation * Z_b) with independent standard normal Z_b in each of `bins`
-/// equal bins of [0, horizon] (Evangelatos & Spanos 2011, eq. 51 and section 6.3). The number of bins is a physical
-/// input: the scatter of the effective modulus falls as 1 / sqrt(bins).
+/// Micromodulus: "radial noise", c(r) = c_0 (1 + variation * Z_b) with independent standard normal Z_b in each of
+/// `bins` equal bins of [0, horizon] (Evangelatos & Spanos 2011, eq. 51 and section 6.3). The number of bins is a
+/// physical input: the scatter of the effective modulus falls as 1 / sqrt(bins).
 /// Load: one factor of mean 1 on all tractions, `distribution` with coefficient of variation `variation`.
 typedef struct {
     pdmc_quantity quantity;
@@ -56,8 +56,8 @@ typedef struct {
     double variation;                    // coefficient of variation, >= 0
 } pdmc_uncertainty;
 
-/// How the collocation treats cracks: analytic fields (the local limit), stencils over visible nodes with bonds that are
-/// really cut, or the paper's own recipe.
+/// How the collocation treats cracks: analytic fields (the local limit), stencils over visible nodes with bonds that
+/// are really cut, or the paper's own recipe.
 typedef enum { PDMC_CRACKS_ANALYTIC, PDMC_CRACKS_VISIBLE, PDMC_CRACKS_PAPER } pdmc_crack_model;
 
 /// Settings of the Kansa collocation; see pdmc/kansa.h.
@@ -128,7 +128,8 @@ PDMC_API double pdmc_poissons_ratio(pdmc_assumption assumption);
 PDMC_API double pdmc_plane_modulus(const pdmc_material *material);
 
 /// The mean micromodulus c of the bond force c s / |xi| per unit thickness: 9 E / (pi delta^3) in plane stress,
-/// 48 E / (5 pi delta^3) in plane strain, force / length^5 (eq. 16 of Evangelatos & Spanos 2011 is half of this in print).
+/// 48 E / (5 pi delta^3) in plane strain, force / length^5 (eq. 16 of Evangelatos & Spanos 2011 is half of this in
+/// print).
 PDMC_API double pdmc_micromodulus(const pdmc_material *material, double horizon);
 
 /// The rigid motions that the supports leave free.

@@ -49,12 +49,13 @@ typedef struct {
     double *weight; // [count] area
 } pdmc_area_rule;
 
-/// A rule over a rectangle, centred at the origin, that cracks cut: exact to rounding for smooth fields on either side of them,
-/// and for those that go with the square root of the distance from a tip, or with its inverse, and their squares.
+/// A rule over a rectangle, centred at the origin, that cracks cut: exact to rounding for smooth fields on either side
+/// of them, and for those that go with the square root of the distance from a tip, or with its inverse, and their
+/// squares.
 ///
-/// The rectangle is split into convex cells by the lines of the cracks, with the tips as vertices; the cells into triangles no
-/// longer than `size` nor than their distance from the nearest tip; each triangle carries a Gauss rule collapsed at its first
-/// vertex, the tip if it has one, in the square root of the distance.
+/// The rectangle is split into convex cells by the lines of the cracks, with the tips as vertices; the cells into
+/// triangles no longer than `size` nor than their distance from the nearest tip; each triangle carries a Gauss rule
+/// collapsed at its first vertex, the tip if it has one, in the square root of the distance.
 /// @param[in]  cracks   number of segments
 /// @param[in]  segment  [cracks, 4] from x, y, to x, y; inside the rectangle, not touching one another
 /// @param[out] rule     free with pdmc_area_rule_clear(); zero on failure

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Random numbers that depend on (seed, sample, variable) alone: any sample can be drawn by itself, in any order, on any
-/// thread, and a smaller study is the beginning of a larger one.
+/// Random numbers that depend on (seed, sample, variable) alone: any sample can be drawn by itself, in any order, on
+/// any thread, and a smaller study is the beginning of a larger one.
 
 #include "pdmc/problem.h"
 

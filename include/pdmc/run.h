@@ -14,9 +14,10 @@ typedef struct {
 
 /// Discretises the problem, solves for the mean and for every sample, and summarises.
 /// @param[out] results  free with pdmc_results_clear(); zero on failure
-/// `options->progress` is called with 0 samples done as well, before and between the steps that come before the samples.
-/// @return PDMC_OK (also when stopped early, see pdmc_monte_carlo()), PDMC_ERR_INTERRUPTED when stopped before the samples,
-/// or the failure of a step
+/// `options->progress` is called with 0 samples done as well, before and between the steps that come before the
+/// samples.
+/// @return PDMC_OK (also when stopped early, see pdmc_monte_carlo()), PDMC_ERR_INTERRUPTED when stopped before the
+/// samples, or the failure of a step
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options,
                                              pdmc_results *results);
 

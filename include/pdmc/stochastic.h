@@ -24,7 +24,8 @@ typedef struct {
 ///  - the sample's own factorisation.
 /// A sample that cannot be solved is marked in results->failure and has NaN for results.
 /// @param[in]     model    of the problem
-/// @param[in,out] results  the problem's tips, angles and bins are set; the sample arrays are made and filled, as are the
+/// @param[in,out] results  the problem's tips, angles and bins are set; the sample arrays are made and filled, as are
+/// the
 ///                         nominal energies, the status and the times of sampling and energy
 /// @return PDMC_OK (also when stopped early), PDMC_ERR_DATA where the expansion does not contract for half of the first
 ///         samples, PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN

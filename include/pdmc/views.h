@@ -21,6 +21,7 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_view_json(const pdmc_results *results, 
 /// @return PDMC_OK, PDMC_ERR_CREATE, PDMC_ERR_IO, or PDMC_ERR_NOMEM
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_view_export(const pdmc_results *results, const char *folder);
 
-/// Pictures in a folder, which is made if it is missing, each as PNG and SVG, drawn by gnuplot. Older ones are replaced.
+/// Pictures in a folder, which is made if it is missing, each as PNG and SVG, drawn by gnuplot. Older ones are
+/// replaced.
 /// @return PDMC_OK, PDMC_ERR_CREATE, PDMC_ERR_IO, PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN where gnuplot is missing or fails
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_view_plot(const pdmc_results *results, const char *folder);

@@ -5,6 +5,7 @@
 #include "pdmc/fracture.h"
 
 #include <cblas.h>
+#include <gsl/gsl_math.h>
 #include <math.h>
 
 // Scratch of one thread.
@@ -55,11 +56,10 @@ static pdmc_status fill_crossing(const pdmc_problem *problem, const pdmc_displac
                                  pdmc_crossing *crossing)
 {
     pdmc_status status = PDMC_OK;
-    const double pi = 3.14159265358979323846;
     const int tip = problem->energy.tips[direction / model->angles], n = displacement->unknowns, r = model->unknowns;
     const pdmc_crack *crack = &problem->cracks[tip / 2];
     const double *position = tip % 2 ? crack->to : crack->from;
-    const double phi = 2.0 * pi * (direction % model->angles) / model->angles;
+    const double phi = 2.0 * M_PI * (direction % model->angles) / model->angles;
     const double x_t[2] = {position[0] + problem->energy.extension * cos(phi),
                            position[1] + problem->energy.extension * sin(phi)};
     PDMC_TRY(pdmc_crossing_bonds(problem, x_t, phi, &model->energy_rings, &crossing->bonds, work->bonds));
@@ -68,8 +68,8 @@ static pdmc_status fill_crossing(const pdmc_problem *problem, const pdmc_displac
     for (int b = 0; b < crossing->bonds; b++) crossing->ring[b] = work->bonds[b].ring;
     stretch_rows(displacement, work, crossing->bonds);
     if (crossing->bonds > 0)
-        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, crossing->bonds, r, n, 1.0, work->stretch, n,
-                    coefficients, n, 0.0, crossing->row, r);
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, crossing->bonds, r, n, 1.0, work->stretch, n, coefficients,
+                    n, 0.0, crossing->row, r);
 done:
     return status;
 }

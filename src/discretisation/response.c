@@ -23,9 +23,9 @@ typedef struct {
 static pdmc_status collection_create(const pdmc_response_operator *operator, int starts, collection *c)
 {
     pdmc_status status = PDMC_OK;
-    const size_t n = (size_t)operator->unknowns;
-    *c = (collection){.operator = operator};
-    c->capacity = operator->unknowns < MOST_DIRECTIONS ? operator->unknowns : MOST_DIRECTIONS;
+    const size_t n = (size_t) operator->unknowns;
+    *c = (collection){.operator= operator};
+    c->capacity = operator->unknowns<MOST_DIRECTIONS ? operator->unknowns : MOST_DIRECTIONS;
     if (c->capacity < starts) c->capacity = starts;
     PDMC_NEW(c->fresh, (size_t)c->capacity * n);
     PDMC_NEW(c->found, (size_t)c->capacity * n);
@@ -50,8 +50,10 @@ static void project_out(collection *c, const pdmc_response *response, int count,
 {
     const int n = c->operator->unknowns, r = response->dimension;
     if (r == 0 || count == 0) return;
-    cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, r, count, n, 1.0, response->basis, n, v, n, 0.0, c->overlap, r);
-    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, n, count, r, -1.0, response->basis, n, c->overlap, r, 1.0, v, n);
+    cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, r, count, n, 1.0, response->basis, n, v, n, 0.0, c->overlap,
+                r);
+    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, n, count, r, -1.0, response->basis, n, c->overlap, r, 1.0, v,
+                n);
 }
 
 // Adds the directions of `count` candidates in c->found that are new, and leaves them, with their size, in c->fresh.
@@ -83,9 +85,9 @@ static pdmc_status append(collection *c, pdmc_response *response, int count, int
 // The images of the `count` directions in c->fresh under every operator.
 static pdmc_status extend(collection *c, pdmc_response *response, int count, int *added)
 {
-    const pdmc_response_operator *operator = c->operator;
-    const size_t n = (size_t)operator->unknowns;
-    if ((size_t)count * (size_t)operator->terms > (size_t)c->capacity)
+    const pdmc_response_operator *operator= c->operator;
+    const size_t n = (size_t) operator->unknowns;
+    if ((size_t)count * (size_t) operator->terms>(size_t) c->capacity)
         return pdmc_raise(PDMC_ERR_SINGULAR,
                           "the answers to the uncertain micromodulus span more than %d directions: take a smaller "
                           "variation",
@@ -102,9 +104,9 @@ static pdmc_status extend(collection *c, pdmc_response *response, int count, int
 static pdmc_status fill_images(collection *c, pdmc_response *response)
 {
     pdmc_status status = PDMC_OK;
-    const pdmc_response_operator *operator = c->operator;
+    const pdmc_response_operator *operator= c->operator;
     const int n = operator->unknowns, r = response->dimension;
-    PDMC_NEW(response->image, (size_t)operator->terms * (size_t)r * (size_t)r);
+    PDMC_NEW(response->image, (size_t) operator->terms *(size_t) r * (size_t)r);
     for (int q = 0; q < operator->terms; q++) {
         PDMC_TRY(operator->apply(operator->context, q, r, response->basis, c->found));
         cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, r, r, n, 1.0, response->basis, n, c->found, n, 0.0,
@@ -122,10 +124,10 @@ pdmc_status pdmc_response_create(const pdmc_response_operator *operator, int sta
     int added;
     *response = (pdmc_response){0};
     PDMC_TRY(collection_create(operator, starts, &c));
-    PDMC_NEW(response->basis, (size_t)c.capacity * (size_t)operator->unknowns);
-    memcpy(c.found, start, (size_t)starts * (size_t)operator->unknowns * sizeof *start);
+    PDMC_NEW(response->basis, (size_t)c.capacity * (size_t) operator->unknowns);
+    memcpy(c.found, start, (size_t)starts * (size_t) operator->unknowns * sizeof * start);
     PDMC_TRY(append(&c, response, starts, &added));
-    while (added > 0 && operator->terms > 0) PDMC_TRY(extend(&c, response, added, &added));
+    while (added > 0 && operator->terms> 0) PDMC_TRY(extend(&c, response, added, &added));
     PDMC_TRY(fill_images(&c, response));
 done:
     collection_clear(&c);
@@ -148,10 +150,9 @@ pdmc_status pdmc_response_perturb(const pdmc_response *response, int terms, int 
     double *stack = NULL; // [count, terms, dimension]
     PDMC_NEW(stack, count * terms * r);
     for (int s = 0; s < count; s++)
-        for (int q = 0; q < terms; q++)
-            cblas_daxpy(r, xi[s * terms + q], &x[s * r], 1, &stack[(s * terms + q) * r], 1);
-    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, r, count, terms * r, 1.0, response->image, r, stack, terms * r,
-                0.0, y, r);
+        for (int q = 0; q < terms; q++) cblas_daxpy(r, xi[s * terms + q], &x[s * r], 1, &stack[(s * terms + q) * r], 1);
+    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, r, count, terms * r, 1.0, response->image, r, stack,
+                terms * r, 0.0, y, r);
 done:
     pdmc_free(stack);
     return status;

@@ -55,8 +55,8 @@ done:
     return status;
 }
 
-// Energies at the end of a step from `before` to x. Over a step of average acceleration the velocity that does work is the
-// mean one, (x - before) / dt, and the load and the damping force are the means of both ends.
+// Energies at the end of a step from `before` to x. Over a step of average acceleration the velocity that does work is
+// the mean one, (x - before) / dt, and the load and the damping force are the means of both ends.
 static void account(motion *m, double time, double factor, double factor_before)
 {
     const pdmc_motion_model *model = m->model;
@@ -69,8 +69,8 @@ static void account(motion *m, double time, double factor, double factor_before)
     m->state.time = time;
 }
 
-// x = x* + dt^2/4 a, v = v* + dt/2 a with x*, v* from the last step; the damping force of v* joins the state about which
-// inertia acts.
+// x = x* + dt^2/4 a, v = v* + dt/2 a with x*, v* from the last step; the damping force of v* joins the state about
+// which inertia acts.
 static pdmc_status advance(motion *m, double factor)
 {
     const int n = m->model->unknowns;

@@ -4,6 +4,7 @@
 #include "base/base_impl.h"
 #include "pdmc/geometry.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 
 enum { POSITIONS = 8, ANGLES = 16 }; // Gauss points in lambda and theta: G_E to 2e-5 ahead of the tip
@@ -25,10 +26,9 @@ pdmc_status pdmc_crossing_bonds(const pdmc_problem *problem, const double x_t[2]
                                 const pdmc_ring_rule *rings, int *count, pdmc_crossing_bond bonds[])
 {
     PDMC_REQUIRE(rings->rings <= PDMC_CROSSING_RINGS, "%d rings: at most %d", rings->rings, PDMC_CROSSING_RINGS);
-    const double pi = 3.14159265358979323846;
     double lambda[POSITIONS], lambda_weight[POSITIONS], theta[ANGLES], theta_weight[ANGLES];
     pdmc_status status = pdmc_gauss_legendre(POSITIONS, 0.0, 1.0, lambda, lambda_weight);
-    if (status == PDMC_OK) status = pdmc_gauss_legendre(ANGLES, 0.0, pi, theta, theta_weight);
+    if (status == PDMC_OK) status = pdmc_gauss_legendre(ANGLES, 0.0, M_PI, theta, theta_weight);
     if (status != PDMC_OK) return status;
     *count = 0;
     for (int q = 0; q < rings->rings; q++) {

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pdmc/fracture.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
-
-#define PI 3.14159265358979323846
 
 // F_ij = sum_k coefficient[k] m^(2 k + parity), Amestoy & Leblond 1992, table of section 4.
 enum { TERMS = 11 };
 
 static const double even_11[TERMS] = {
     1.0,
-    -3.0 * PI *PI / 8.0,
-    PI *PI - 5.0 * PI * PI * PI * PI / 128.0,
-    PI *PI / 9.0 - 11.0 * PI * PI * PI * PI / 72.0 + 119.0 * PI * PI * PI * PI * PI * PI / 15360.0,
+    -3.0 * M_PI *M_PI / 8.0,
+    M_PI *M_PI - 5.0 * M_PI *M_PI *M_PI *M_PI / 128.0,
+    M_PI *M_PI / 9.0 - 11.0 * M_PI *M_PI *M_PI *M_PI / 72.0 + 119.0 * M_PI *M_PI *M_PI *M_PI *M_PI *M_PI / 15360.0,
     5.07790,
     -2.88312,
     -0.0925,
@@ -23,9 +22,9 @@ static const double even_11[TERMS] = {
 };
 
 static const double odd_12[TERMS] = {
-    -3.0 * PI / 2.0,
-    10.0 * PI / 3.0 + PI * PI * PI / 16.0,
-    -2.0 * PI - 133.0 * PI * PI * PI / 180.0 + 59.0 * PI * PI * PI * PI * PI / 1280.0,
+    -3.0 * M_PI / 2.0,
+    10.0 * M_PI / 3.0 + M_PI *M_PI *M_PI / 16.0,
+    -2.0 * M_PI - 133.0 * M_PI *M_PI *M_PI / 180.0 + 59.0 * M_PI *M_PI *M_PI *M_PI *M_PI / 1280.0,
     12.313906,
     -7.32433,
     1.5793,
@@ -37,9 +36,9 @@ static const double odd_12[TERMS] = {
 };
 
 static const double odd_21[TERMS] = {
-    PI / 2.0,
-    -4.0 * PI / 3.0 - PI * PI * PI / 48.0,
-    -2.0 * PI / 3.0 + 13.0 * PI * PI * PI / 30.0 - 59.0 * PI * PI * PI * PI * PI / 3840.0,
+    M_PI / 2.0,
+    -4.0 * M_PI / 3.0 - M_PI *M_PI *M_PI / 48.0,
+    -2.0 * M_PI / 3.0 + 13.0 * M_PI *M_PI *M_PI / 30.0 - 59.0 * M_PI *M_PI *M_PI *M_PI *M_PI / 3840.0,
     -6.176023,
     4.44112,
     -1.5340,
@@ -52,10 +51,10 @@ static const double odd_21[TERMS] = {
 
 static const double even_22[TERMS] = {
     1.0,
-    -4.0 - 3.0 * PI * PI / 8.0,
-    8.0 / 3.0 + 29.0 * PI * PI / 18.0 - 5.0 * PI * PI * PI * PI / 128.0,
-    -32.0 / 15.0 - 4.0 * PI * PI / 9.0 - 1159.0 * PI * PI * PI * PI / 7200.0 +
-        119.0 * PI * PI * PI * PI * PI * PI / 15360.0,
+    -4.0 - 3.0 * M_PI *M_PI / 8.0,
+    8.0 / 3.0 + 29.0 * M_PI *M_PI / 18.0 - 5.0 * M_PI *M_PI *M_PI *M_PI / 128.0,
+    -32.0 / 15.0 - 4.0 * M_PI *M_PI / 9.0 - 1159.0 * M_PI *M_PI *M_PI *M_PI / 7200.0 +
+        119.0 * M_PI *M_PI *M_PI *M_PI *M_PI *M_PI / 15360.0,
     10.58254,
     -4.78511,
     -1.8804,
@@ -74,7 +73,7 @@ static double expansion(const double coefficient[TERMS], double m)
 
 static void amestoy_leblond(double kink, double F[4])
 {
-    const double m = kink / PI;
+    const double m = kink / M_PI;
     F[0] = expansion(even_11, m);
     F[1] = m * expansion(odd_12, m);
     F[2] = m * expansion(odd_21, m);
@@ -92,7 +91,7 @@ static void nuismer(double kink, double F[4])
 
 void pdmc_kinked_stress_intensity(double kink, const double K[2], double k[2])
 {
-    const double angle = remainder(kink, 2.0 * PI), limit = copysign(2.0 * PI / 3.0, angle);
+    const double angle = remainder(kink, 2.0 * M_PI), limit = copysign(2.0 * M_PI / 3.0, angle);
     double F[4];
     if (fabs(angle) <= fabs(limit)) {
         amestoy_leblond(angle, F);

@@ -15,7 +15,7 @@ typedef struct {
     const pdmc_kansa *kansa;
     pdmc_response response;
     double *coefficients; // [dimension, unknowns of the collocation] of the space's basis
-    double *ring_rows; // [terms, 2 interior, unknowns of the collocation] in y, for direct solves only
+    double *ring_rows;    // [terms, 2 interior, unknowns of the collocation] in y, for direct solves only
 } sampled_operator;
 
 static void destroy_operator(void *discretisation)
@@ -121,7 +121,7 @@ static pdmc_status find_response(const pdmc_kansa *kansa, int terms, const doubl
             cblas_dscal((int)n, size[q], direction, 1);
         }
     }
-    const pdmc_response_operator operator = {kansa->unknowns, terms, size, norm, pdmc_ring_operator_apply, &operators};
+    const pdmc_response_operator operator= {kansa->unknowns, terms, size, norm, pdmc_ring_operator_apply, &operators};
     PDMC_TRY(pdmc_response_create(&operator, count, start, &rings->response));
     PDMC_NEW(rings->coefficients, (size_t)rings->response.dimension * n);
     memcpy(rings->coefficients, rings->response.basis, (size_t)rings->response.dimension * n * sizeof(double));
@@ -147,8 +147,7 @@ static pdmc_status create_operator(const pdmc_kansa *kansa, pdmc_affine *model)
     rings->kansa = kansa;
     expected_sizes(kansa, noise ? noise->variation : 0.0, size);
     PDMC_TRY(find_response(kansa, model->terms, size, rings));
-    if (kansa->problem->sampling.inverse == PDMC_INVERSE_DIRECT)
-        PDMC_TRY(whiten_rings(kansa, model->terms, rings));
+    if (kansa->problem->sampling.inverse == PDMC_INVERSE_DIRECT) PDMC_TRY(whiten_rings(kansa, model->terms, rings));
     model->unknowns = rings->response.dimension;
     for (int l = 0; l < 2; l++) {
         PDMC_NEW(model->solution[l], model->unknowns);

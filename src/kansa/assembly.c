@@ -97,8 +97,8 @@ static void assemble_gauge(pdmc_kansa *kansa, pdmc_row_builder *builder, double 
 {
     const int unknowns = kansa->unknowns, count = kansa->points.side_count;
     const int first = 2 * (kansa->points.interior_count + kansa->points.boundary_count);
-    const double weight =
-        kansa->problem->material.youngs_modulus / (fmax(kansa->problem->plate.width, kansa->problem->plate.height) * count);
+    const double weight = kansa->problem->material.youngs_modulus /
+                          (fmax(kansa->problem->plate.width, kansa->problem->plate.height) * count);
     for (int j = 0; j < count; j++) {
         const pdmc_boundary_point *point = &kansa->points.boundary[j];
         pdmc_displacement_rows(builder, point->x, point->anchor, scratch, scratch + unknowns);

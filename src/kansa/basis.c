@@ -126,8 +126,8 @@ static crack_point continue_from(const pdmc_crack_frame *crack, const double x[2
     return (crack_point){z, root, cabs(sum) >= cabs(difference) ? a / sum : difference / a};
 }
 
-// The four fields of an order, 2 mu U = kappa p f - q conj(f) - 2 i y conj(p f'), (p, q) in {(1,0), (i,0), (0,1), (0,i)},
-// turned by the crack's angle.
+// The four fields of an order, 2 mu U = kappa p f - q conj(f) - 2 i y conj(p f'), (p, q) in {(1,0), (i,0), (0,1),
+// (0,i)}, turned by the crack's angle.
 static void store_fields(const double complex field[4], double complex turn, double u[4], double v[4])
 {
     for (int k = 0; k < 4; k++) {

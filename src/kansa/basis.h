@@ -2,8 +2,8 @@
 #pragma once
 
 /// The trial functions of the analytic crack model:
-///     u = sum_k a_k g_k + sum_j alpha_j q_j + sum_l p_l Re U_l,   v = sum_k d_k g_k + sum_j beta_j q_j + sum_l p_l Im U_l.
-/// g_k: inverse multiquadrics (Evangelatos & Spanos 2011, eq. 25, times psi), q_j: monomials, U_l: crack fields.
+///     u = sum_k a_k g_k + sum_j alpha_j q_j + sum_l p_l Re U_l,   v = sum_k d_k g_k + sum_j beta_j q_j + sum_l p_l Im
+/// U_l. g_k: inverse multiquadrics (Evangelatos & Spanos 2011, eq. 25, times psi), q_j: monomials, U_l: crack fields.
 /// The scalars g and q serve both components; the unknowns are ordered [a, alpha | d, beta | p].
 
 #include "pdmc/problem.h"
@@ -41,8 +41,7 @@ void pdmc_basis_values_clear(pdmc_basis_values *values);
 /// The basis at x. The crack fields have two sheets: they are continued analytically along the straight line from
 /// `anchor`, whose own sheet is the one bounded by the cracks. With anchor = x a field jumps at its crack; with a fixed
 /// anchor it is analytic in every disc about the anchor that holds no tip, as if the crack were not there.
-void pdmc_basis_evaluate(const pdmc_basis *basis, const double x[2], const double anchor[2],
-                         pdmc_basis_values *values);
+void pdmc_basis_evaluate(const pdmc_basis *basis, const double x[2], const double anchor[2], pdmc_basis_values *values);
 
 /// The derivatives of the basis by x and y; anchor as above.
 void pdmc_basis_gradient(const pdmc_basis *basis, const double x[2], const double anchor[2], pdmc_basis_values *by_x,

@@ -29,6 +29,7 @@ static void close_rows(void *context)
 
 pdmc_status pdmc_kansa_energy(const pdmc_kansa *kansa, const double coefficients[], pdmc_affine *model)
 {
-    const pdmc_displacement_functional displacement = {kansa->unknowns, kansa, open_rows, displacement_rows, close_rows};
+    const pdmc_displacement_functional displacement = {kansa->unknowns, kansa, open_rows, displacement_rows,
+                                                       close_rows};
     return pdmc_affine_fill_crossings(kansa->problem, &displacement, coefficients, kansa->threads, model);
 }

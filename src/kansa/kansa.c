@@ -37,7 +37,8 @@ static pdmc_status prepare(pdmc_kansa *kansa)
     PDMC_TRY(pdmc_kansa_nodes(problem, options->spacing, basis));
     PDMC_TRY(pdmc_basis_complete(basis, problem->crack_count, problem->cracks));
     PDMC_TRY(pdmc_collocation_create(problem, options->spacing, basis, &kansa->points));
-    PDMC_TRY(pdmc_ring_rule_create(options->radial_points, noise ? noise->bins : 1, 2, options->horizon, &kansa->rings));
+    PDMC_TRY(
+        pdmc_ring_rule_create(options->radial_points, noise ? noise->bins : 1, 2, options->horizon, &kansa->rings));
     share_modulus(kansa);
 
     int motions;
@@ -97,10 +98,11 @@ static pdmc_status factor(pdmc_kansa *kansa)
     if (info != 0) PDMC_FAIL(PDMC_ERR_EXTERN, "LAPACKE_dtrcon returned %d", info);
     kansa->condition = 1.0 / reciprocal;
     if (kansa->rank < n || reciprocal < 4.0 * DBL_EPSILON) // rounding keeps a singular matrix near 1 / DBL_EPSILON
-        PDMC_FAIL(PDMC_ERR_SINGULAR,
-                  "the collocation matrix has rank %d of %d and condition %.1e: take a smaller solver.shape or a larger "
-                  "solver.spacing",
-                  kansa->rank, n, kansa->condition);
+        PDMC_FAIL(
+            PDMC_ERR_SINGULAR,
+            "the collocation matrix has rank %d of %d and condition %.1e: take a smaller solver.shape or a larger "
+            "solver.spacing",
+            kansa->rank, n, kansa->condition);
     for (int j = 0; j < n; j++) cblas_dscal(j + 1, norm[j], &kansa->r[(size_t)j * (size_t)n], 1);
     info = LAPACKE_dorgqr(LAPACK_COL_MAJOR, m, n, n, kansa->q, m, tau);
     if (info != 0) PDMC_FAIL(PDMC_ERR_EXTERN, "LAPACKE_dorgqr returned %d", info);
@@ -110,7 +112,8 @@ done:
     return status;
 }
 
-// The mean solution, and the largest row of A_0 x - F over the rows of equations; Q Q^T F - F is the same without error.
+// The mean solution, and the largest row of A_0 x - F over the rows of equations; Q Q^T F - F is the same without
+// error.
 static pdmc_status solve_mean(pdmc_kansa *kansa)
 {
     pdmc_status status = PDMC_OK;
@@ -161,8 +164,7 @@ done:
     return status;
 }
 
-pdmc_status pdmc_kansa_create(const pdmc_problem *problem, const pdmc_kansa_data *data, int threads,
-                              pdmc_kansa **kansa)
+pdmc_status pdmc_kansa_create(const pdmc_problem *problem, const pdmc_kansa_data *data, int threads, pdmc_kansa **kansa)
 {
     PDMC_REQUIRE(threads >= 1, "%d threads: at least one is needed", threads);
     pdmc_status status = PDMC_OK;

@@ -15,14 +15,14 @@ struct pdmc_kansa {
     pdmc_collocation points;
     pdmc_ring_rule rings;
     int rows, unknowns, rank;
-    double *ring_rows;      // [rings, 2 interior, unknowns] c_0 spacing F(r_q), without the ring's weight
-    bool *is_traction;      // [2 boundary] row scales with the effective modulus
+    double *ring_rows;            // [rings, 2 interior, unknowns] c_0 spacing F(r_q), without the ring's weight
+    bool *is_traction;            // [2 boundary] row scales with the effective modulus
     double share[PDMC_MAX_RINGS]; // E_eff / E = sum_q w_q share_q for weights w of the rings
-    double *q;              // [unknowns columns of rows] orthonormal
-    double *r;              // [unknowns, unknowns] column-major, upper triangle
-    double *load[2];        // [rows] F_0, F_1
-    double *whitened[2];    // [unknowns] Q^T F_0, Q^T F_1
-    double *coefficients;   // [unknowns] of the basis, at the mean loads
+    double *q;                    // [unknowns columns of rows] orthonormal
+    double *r;                    // [unknowns, unknowns] column-major, upper triangle
+    double *load[2];              // [rows] F_0, F_1
+    double *whitened[2];          // [unknowns] Q^T F_0, Q^T F_1
+    double *coefficients;         // [unknowns] of the basis, at the mean loads
     double condition, residual;
     double assembly_seconds, factorisation_seconds;
 };

@@ -5,9 +5,8 @@
 #include "pdmc/geometry.h"
 
 #include <complex.h>
+#include <gsl/gsl_math.h>
 #include <math.h>
-
-static const double pi = 3.14159265358979323846;
 
 // The confocal rings z = a cosh(mu + i eta), measured to be enough for K to 0.03 % at 289 nodes; without them -40 %.
 static const double ring_mu[] = {0.1, 0.2, 0.35, 0.5, 0.7, 0.95};
@@ -62,8 +61,8 @@ static void add_interior(const pdmc_problem *problem, const pdmc_basis *basis, c
                          pdmc_collocation *points)
 {
     const double rounding = 1e-9;
-    const bool inside = fabs(x[0]) <= (0.5 + rounding) * problem->plate.width &&
-                        fabs(x[1]) <= (0.5 + rounding) * problem->plate.height;
+    const bool inside =
+        fabs(x[0]) <= (0.5 + rounding) * problem->plate.width && fabs(x[1]) <= (0.5 + rounding) * problem->plate.height;
     const double clearance = tip_clearance(problem, x);
     if (!inside || clearance <= 1.5 * problem->kansa.horizon || lies_on_a_crack(problem, basis, x)) return;
     points->interior[points->interior_count++] = (pdmc_interior_point){{x[0], x[1]}, spacing, clearance};
@@ -93,12 +92,12 @@ static void add_rings(const pdmc_problem *problem, const pdmc_basis *basis, int 
     for (int i = 0; i < RINGS; i++) {
         const double gap = ring_mu[i] - (i ? ring_mu[i - 1] : 0.0);
         for (int k = 0; k < RING_POINTS; k++) {
-            const double complex zeta = CMPLX(ring_mu[i], 2.0 * pi * (k + 0.5) / RING_POINTS);
+            const double complex zeta = CMPLX(ring_mu[i], 2.0 * M_PI * (k + 0.5) / RING_POINTS);
             const double complex z = crack->half_length * ccosh(zeta);
             const double stretch = crack->half_length * cabs(csinh(zeta));
             double x[2];
             to_plate(crack, creal(z), cimag(z), x);
-            add_interior(problem, basis, x, fmin(stretch * sqrt(gap * 2.0 * pi / RING_POINTS), spacing), points);
+            add_interior(problem, basis, x, fmin(stretch * sqrt(gap * 2.0 * M_PI / RING_POINTS), spacing), points);
         }
     }
 }
@@ -125,7 +124,7 @@ static void add_faces(const pdmc_crack_frame *crack, pdmc_collocation *points)
 {
     for (int face = 1; face >= -1; face -= 2) {
         for (int i = 0; i < FACE_POINTS; i++) {
-            const double t = cos(pi * (i + 0.5) / FACE_POINTS);
+            const double t = cos(M_PI * (i + 0.5) / FACE_POINTS);
             pdmc_boundary_point point = {.weight = sqrt(1.0 - t * t), .side = -1};
             to_plate(crack, t * crack->half_length, 0.0, point.x);
             to_plate(crack, t * crack->half_length, 1e-3 * face * crack->half_length, point.anchor);

@@ -8,8 +8,8 @@
 /// A point of the plate where the peridynamic equation is asked for.
 typedef struct {
     double x[2];
-    double spacing;    // local distance of points; turns force / volume into a stress
-    double clearance;  // distance to the nearest tip, infinite without cracks
+    double spacing;   // local distance of points; turns force / volume into a stress
+    double clearance; // distance to the nearest tip, infinite without cracks
 } pdmc_interior_point;
 
 /// A point of a side or of a crack's face, where traction or displacement is prescribed.
@@ -34,6 +34,6 @@ PDMC_NODISCARD pdmc_status pdmc_kansa_nodes(const pdmc_problem *problem, double 
 
 /// Collocation points: the nodes, confocal rings around each crack, points on the sides and on the faces. Points within
 /// 1.5 horizons of a tip are left out (rows there ruin K: -86 % was measured), as are points on a crack.
-PDMC_NODISCARD pdmc_status pdmc_collocation_create(const pdmc_problem *problem, double spacing,
-                                                   const pdmc_basis *basis, pdmc_collocation *points);
+PDMC_NODISCARD pdmc_status pdmc_collocation_create(const pdmc_problem *problem, double spacing, const pdmc_basis *basis,
+                                                   pdmc_collocation *points);
 void pdmc_collocation_clear(pdmc_collocation *points);

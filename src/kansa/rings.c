@@ -26,7 +26,8 @@ static const double *ring_rows(const pdmc_kansa *kansa, int q)
     return &kansa->ring_rows[(size_t)q * 2 * (size_t)kansa->points.interior_count * (size_t)kansa->unknowns];
 }
 
-// Rows of traction scale with the effective modulus, of which a ring has its share; all others of the boundary are fixed.
+// Rows of traction scale with the effective modulus, of which a ring has its share; all others of the boundary are
+// fixed.
 static void scale_boundary(const pdmc_kansa *kansa, int q, int count, double rows[])
 {
     const int m = kansa->rows, interior = 2 * kansa->points.interior_count, boundary = 2 * kansa->points.boundary_count;
@@ -40,8 +41,8 @@ static void apply_some(pdmc_ring_operator *rings, int q, int count, const double
 {
     const pdmc_kansa *kansa = rings->kansa;
     const int n = kansa->unknowns, m = kansa->rows, interior = 2 * kansa->points.interior_count;
-    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, m - interior, count, n, 1.0, kansa->q + interior, m, v, n, 0.0,
-                rings->rows + interior, m);
+    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, m - interior, count, n, 1.0, kansa->q + interior, m, v, n,
+                0.0, rings->rows + interior, m);
     memcpy(out, v, (size_t)count * (size_t)n * sizeof *out);
     pdmc_kansa_unwhiten(kansa, count, out);
     cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, interior, count, n, 1.0, ring_rows(kansa, q), n, out, n, 0.0,

@@ -17,7 +17,7 @@ void pdmc_ring_operator_clear(pdmc_ring_operator *rings);
 /// As pdmc_response_operator wants it; the context is a pdmc_ring_operator.
 pdmc_status pdmc_ring_operator_apply(void *context, int q, int count, const double v[], double out[]);
 
-/// R^-T A_q^T times the mean residual of load l: the direction in which the least-squares solution of a sample leaves the
-/// limit of its Neumann expansion.
+/// R^-T A_q^T times the mean residual of load l: the direction in which the least-squares solution of a sample leaves
+/// the limit of its Neumann expansion.
 /// @param[out] out  [unknowns]
 void pdmc_ring_operator_residual(pdmc_ring_operator *rings, int q, int l, double out[]);

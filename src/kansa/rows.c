@@ -3,10 +3,9 @@
 
 #include "base/base_impl.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 pdmc_status pdmc_row_builder_create(const pdmc_basis *basis, pdmc_row_builder *builder)
 {
@@ -54,8 +53,8 @@ static void add_bond(pdmc_row_builder *builder, double cosine, double sine, doub
     }
     double *field_x = &row_x[2 * basis->scalars], *field_y = &row_y[2 * basis->scalars];
     for (int l = 0; l < basis->fields; l++) {
-        const double along = cosine * (builder->here.u[l] - builder->there.u[l]) +
-                             sine * (builder->here.v[l] - builder->there.v[l]);
+        const double along =
+            cosine * (builder->here.u[l] - builder->there.u[l]) + sine * (builder->here.v[l] - builder->there.v[l]);
         field_x[l] += weight * cosine * along;
         field_y[l] += weight * sine * along;
     }
@@ -73,10 +72,10 @@ void pdmc_ring_rows(pdmc_row_builder *builder, const double x[2], double r, doub
     pdmc_basis_evaluate(basis, x, x, &builder->here);
     const int angles = ring_angles(r, clearance, basis->shape);
     for (int i = 0; i < angles; i++) {
-        const double theta = 2.0 * pi * (i + 0.5) / angles, cosine = cos(theta), sine = sin(theta);
+        const double theta = 2.0 * M_PI * (i + 0.5) / angles, cosine = cos(theta), sine = sin(theta);
         const double end[2] = {x[0] + r * cosine, x[1] + r * sine};
         pdmc_basis_evaluate(basis, end, x, &builder->there);
-        add_bond(builder, cosine, sine, 2.0 * pi / angles, row_x, row_y);
+        add_bond(builder, cosine, sine, 2.0 * M_PI / angles, row_x, row_y);
     }
     memcpy(row_x, builder->xx, scalars * sizeof(double));
     memcpy(row_x + scalars, builder->xy, scalars * sizeof(double));

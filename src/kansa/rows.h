@@ -22,8 +22,8 @@ void pdmc_row_builder_clear(pdmc_row_builder *builder);
 void pdmc_ring_rows(pdmc_row_builder *builder, const double x[2], double r, double clearance, double row_x[],
                     double row_y[]);
 
-/// The local traction sigma(u) n with sigma_x = mu (3 u_x + v_y), sigma_y = mu (u_x + 3 v_y), tau = mu (u_y + v_x), which
-/// is Hooke's law of a bond-based material (lambda = mu) in both plane assumptions.
+/// The local traction sigma(u) n with sigma_x = mu (3 u_x + v_y), sigma_y = mu (u_x + 3 v_y), tau = mu (u_y + v_x),
+/// which is Hooke's law of a bond-based material (lambda = mu) in both plane assumptions.
 void pdmc_traction_rows(pdmc_row_builder *builder, const double x[2], const double anchor[2], const double normal[2],
                         double row_x[], double row_y[]);
 

@@ -3,6 +3,7 @@
 #include "kansa/kansa_impl.h"
 
 #include <cblas.h>
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -80,7 +81,7 @@ void pdmc_kansa_stress_intensity_rows(const pdmc_kansa *kansa, int tip, double r
     const pdmc_basis *basis = &kansa->basis;
     const int crack = tip / 2, first = 2 * basis->scalars + 4 * basis->orders * crack;
     const bool is_to = tip % 2 == 1;
-    const double pi = 3.14159265358979323846, factor = -2.0 * sqrt(pi / basis->cracks[crack].half_length);
+    const double factor = -2.0 * sqrt(M_PI / basis->cracks[crack].half_length);
     for (int m = 1; m <= basis->orders; m++) {
         const double value = factor * m * (is_to || m % 2 == 1 ? 1.0 : -1.0);
         row_1[first + 4 * (m - 1)] = value;
@@ -139,9 +140,9 @@ enum { FACE_POINTS = 101 };
 static pdmc_status fill_face(const pdmc_kansa *kansa, int c, pdmc_field *field)
 {
     const pdmc_crack_frame *crack = &kansa->basis.cracks[c];
-    const double pi = 3.14159265358979323846, a = crack->half_length;
+    const double a = crack->half_length;
     for (int i = 0; i < FACE_POINTS; i++) {
-        const double along = -a * cos(pi * i / (FACE_POINTS - 1)) * (1.0 - 1e-12);
+        const double along = -a * cos(M_PI * i / (FACE_POINTS - 1)) * (1.0 - 1e-12);
         const size_t at = (size_t)(c * FACE_POINTS + i);
         double *x = &field->face_position[2 * at];
         x[0] = crack->centre[0] + along * crack->cosine;

@@ -25,7 +25,8 @@ void pdmc_weak_form_clear(pdmc_weak_form *form)
     *form = (pdmc_weak_form){0};
 }
 
-// Three rows whose squares add to sigma : epsilon = (3 s_x^2 - 2 s_x s_y + 3 s_y^2) / (8 mu) + tau^2 / mu (lambda = mu).
+// Three rows whose squares add to sigma : epsilon = (3 s_x^2 - 2 s_x s_y + 3 s_y^2) / (8 mu) + tau^2 / mu (lambda =
+// mu).
 static void strain_rows(pdmc_row_builder *builder, const double x[2], double weight, double scratch[], double row[])
 {
     const int n = builder->basis->unknowns;
@@ -54,8 +55,8 @@ static void add_gram(const pdmc_kansa *kansa, int count, const double rows[], do
     const int n = kansa->unknowns;
 #pragma omp parallel for schedule(dynamic) num_threads(kansa->threads)
     for (int first = 0; first < n; first += PANEL)
-        cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, n, n - first < PANEL ? n - first : PANEL, count, 1.0, rows, n,
-                    rows + first, n, 1.0, &gram[(size_t)first * (size_t)n], n);
+        cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, n, n - first < PANEL ? n - first : PANEL, count, 1.0, rows,
+                    n, rows + first, n, 1.0, &gram[(size_t)first * (size_t)n], n);
 }
 
 static void whiten(const pdmc_kansa *kansa, int count, double rows[])
@@ -191,8 +192,8 @@ static pdmc_status make_rule(const pdmc_kansa *kansa, pdmc_area_rule *rule)
         memcpy(&segment[4 * c], problem->cracks[c].from, 2 * sizeof(double));
         memcpy(&segment[4 * c + 2], problem->cracks[c].to, 2 * sizeof(double));
     }
-    // Sums of radial functions vary from node to node, whatever their shape: about seven points to a node. A quarter of that
-    // leaves fields without energy, and waves that stand still.
+    // Sums of radial functions vary from node to node, whatever their shape: about seven points to a node. A quarter
+    // of that leaves fields without energy, and waves that stand still.
     PDMC_TRY(pdmc_area_rule_create(problem->plate.width, problem->plate.height, problem->crack_count, segment,
                                    3.0 * kansa->spacing, rule));
 done:

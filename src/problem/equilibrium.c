@@ -83,10 +83,11 @@ pdmc_status pdmc_problem_check_equilibrium(const pdmc_problem *problem)
         double work = 0.0;
         for (int i = 0; i < 3; i++) work += motions[k][i] * force[i];
         if (fabs(work) > 1e-9 * magnitude)
-            return pdmc_raise(PDMC_ERR_CONFIG,
-                              "the loads are not in equilibrium, resultant (%g, %g) and moment %g a unit of thickness act on a "
-                              "plate that is free to follow; balance the tractions or hold a side by supports",
-                              force[0], force[1], force[2]);
+            return pdmc_raise(
+                PDMC_ERR_CONFIG,
+                "the loads are not in equilibrium, resultant (%g, %g) and moment %g a unit of thickness act on a "
+                "plate that is free to follow; balance the tractions or hold a side by supports",
+                force[0], force[1], force[2]);
     }
     return PDMC_OK;
 }

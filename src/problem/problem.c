@@ -3,9 +3,8 @@
 
 #include "base/base_impl.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
-
-static const double pi = 3.14159265358979323846;
 
 void pdmc_problem_clear(pdmc_problem *problem)
 {
@@ -42,5 +41,5 @@ double pdmc_plane_modulus(const pdmc_material *material)
 double pdmc_micromodulus(const pdmc_material *material, double horizon)
 {
     const double factor = material->assumption == PDMC_PLANE_STRESS ? 9.0 : 48.0 / 5.0;
-    return factor * material->youngs_modulus / (pi * pow(horizon, 3));
+    return factor * material->youngs_modulus / (M_PI * pow(horizon, 3));
 }

@@ -54,8 +54,7 @@ static pdmc_status add_cell(mesh *m, const cell *c)
 
 static pdmc_status add_triangle(mesh *m, const double a[2], const double b[2], const double c[2])
 {
-    const pdmc_status status =
-        grow((void **)&m->triangles, m->triangle_count, &m->triangle_room, sizeof *m->triangles);
+    const pdmc_status status = grow((void **)&m->triangles, m->triangle_count, &m->triangle_room, sizeof *m->triangles);
     if (status != PDMC_OK) return status;
     triangle *t = &m->triangles[m->triangle_count++];
     memcpy(t->x[0], a, sizeof t->x[0]);
@@ -75,7 +74,8 @@ static void add_corner(cell *c, const double x[2])
 }
 
 // The parts of a convex cell on the left and on the right of a line; `slack` is the distance that counts as on it.
-static void split(const cell *whole, const double origin[2], const double along[2], double slack, cell *left, cell *right)
+static void split(const cell *whole, const double origin[2], const double along[2], double slack, cell *left,
+                  cell *right)
 {
     left->corners = right->corners = 0;
     for (int i = 0; i < whole->corners; i++) {
@@ -168,8 +168,8 @@ static int tip_vertex(const mesh *m, const triangle *t, double slack, double *ne
     return vertex;
 }
 
-static pdmc_status add_rule(mesh *m, const triangle *t, int first, const double s[], const double ws[], const double a[],
-                            const double wa[])
+static pdmc_status add_rule(mesh *m, const triangle *t, int first, const double s[], const double ws[],
+                            const double a[], const double wa[])
 {
     const double *o = t->x[first], *p = t->x[(first + 1) % 3], *q = t->x[(first + 2) % 3];
     const double area2 = fabs((p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0]));

@@ -9,8 +9,8 @@
 // Gauss-Jacobi points of the weight r^power dr = s^((power - 1) / 2) ds / 2 in s = (r / radius)^2.
 static pdmc_status gauss_radii(int rings, int power, double radius, double r[])
 {
-    gsl_integration_fixed_workspace *rule = gsl_integration_fixed_alloc(gsl_integration_fixed_jacobi, (size_t)rings,
-                                                                        0.0, 1.0, 0.0, 0.5 * (power - 1));
+    gsl_integration_fixed_workspace *rule =
+        gsl_integration_fixed_alloc(gsl_integration_fixed_jacobi, (size_t)rings, 0.0, 1.0, 0.0, 0.5 * (power - 1));
     if (!rule) return pdmc_raise(PDMC_ERR_NOMEM, "out of memory: Gauss rule of %d rings", rings);
     const double *s = gsl_integration_fixed_nodes(rule);
     for (int q = 0; q < rings; q++) r[q] = radius * sqrt(s[q]);
@@ -30,15 +30,15 @@ static double lagrange(const pdmc_ring_rule *rule, int q, double r)
     return product;
 }
 
-// r^(power - 2) r^2 / r_q^2 lagrange_q has degree power + 2 (rings - 1) in r, which these Gauss points integrate exactly.
+// r^(power - 2) r^2 / r_q^2 lagrange_q has degree power + 2 (rings - 1) in r, which these Gauss points integrate
+// exactly.
 static pdmc_status fill_weights(pdmc_ring_rule *rule, int power, double radius)
 {
     enum { MAX_POINTS = PDMC_MAX_RINGS + 8 };
     double x[MAX_POINTS], w[MAX_POINTS];
     const int points = rule->rings + (power + 1) / 2;
     for (int b = 0; b < rule->bins; b++) {
-        pdmc_status status =
-            pdmc_gauss_legendre(points, radius * b / rule->bins, radius * (b + 1) / rule->bins, x, w);
+        pdmc_status status = pdmc_gauss_legendre(points, radius * b / rule->bins, radius * (b + 1) / rule->bins, x, w);
         if (status != PDMC_OK) return status;
         double *weight = &rule->weight[(size_t)b * (size_t)rule->rings];
         for (int q = 0; q < rule->rings; q++) {

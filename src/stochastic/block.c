@@ -128,8 +128,7 @@ static pdmc_status solve_directly(pdmc_block *block, int count)
     const pdmc_affine *model = block->model;
     for (int s = 0; s < count && model->terms > 0; s++) {
         const double scale[2] = {1.0, block->draw[s].load_factor};
-        const pdmc_status status =
-            model->verbs->solve(model, block->draw[s].xi, scale, &block->x[s * model->unknowns]);
+        const pdmc_status status = model->verbs->solve(model, block->draw[s].xi, scale, &block->x[s * model->unknowns]);
         if (status == PDMC_ERR_SINGULAR) block->failure[s] = PDMC_SAMPLE_SINGULAR;
         else if (status != PDMC_OK) return status;
     }
@@ -161,7 +160,8 @@ static void sum_rings(const pdmc_block *block, const pdmc_crossing *crossing, pd
     }
     for (int s = 0; s < B; s++) {
         double sum = 0.0;
-        for (int q = 0; q < block->model->energy_rings.rings; q++) sum += block->draw[s].ring_weight[q] * ring_sum[q][s];
+        for (int q = 0; q < block->model->energy_rings.rings; q++)
+            sum += block->draw[s].ring_weight[q] * ring_sum[q][s];
         energy[s] = 0.5 * block->model->micromodulus * sum;
     }
 }
@@ -177,8 +177,8 @@ void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds)
     for (int d = 0; d < model->tips * model->angles; d++) {
         const pdmc_crossing *crossing = &model->crossings[d];
         if (crossing->bonds > 0)
-            cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, crossing->bonds, B, n, 1.0, crossing->row, n, block->x, n,
-                        0.0, block->stretch, B);
+            cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, crossing->bonds, B, n, 1.0, crossing->row, n, block->x,
+                        n, 0.0, block->stretch, B);
         sum_rings(block, crossing, bonds, &block->energy[d * B]);
     }
     block->energy_seconds += pdmc_seconds() - begin;
@@ -219,8 +219,7 @@ void pdmc_block_store(const pdmc_block *block, int first, int count, pdmc_result
         results->effective_modulus[sample] = block->draw[s].effective_modulus;
         results->contraction[sample] = block->contraction[s];
         results->failure[sample] = (uint8_t)block->failure[s];
-        if (bins > 0)
-            memcpy(&results->micromodulus[sample * bins], block->draw[s].micromodulus, bins * sizeof(double));
+        if (bins > 0) memcpy(&results->micromodulus[sample * bins], block->draw[s].micromodulus, bins * sizeof(double));
         store_sample(block, s, sample, results);
     }
 }

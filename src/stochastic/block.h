@@ -9,23 +9,22 @@ typedef struct {
     const pdmc_problem *problem;
     const pdmc_affine *model;
     pdmc_draw draw[PDMC_BLOCK];
-    double *numbers;           // the draws' arrays
-    double *xi;                // [terms]
-    double *x, *term, *next;   // [unknowns] solution, last and next term of the expansion
+    double *numbers;         // the draws' arrays
+    double *xi;              // [terms]
+    double *x, *term, *next; // [unknowns] solution, last and next term of the expansion
     double contraction[PDMC_BLOCK];
     pdmc_sample_failure failure[PDMC_BLOCK];
-    double *stretch;           // [bonds, PDMC_BLOCK]
-    double *intensity;         // [2 tips, PDMC_BLOCK]
-    double *energy;            // [tips angles, PDMC_BLOCK]
+    double *stretch;   // [bonds, PDMC_BLOCK]
+    double *intensity; // [2 tips, PDMC_BLOCK]
+    double *energy;    // [tips angles, PDMC_BLOCK]
     double solve_seconds, energy_seconds;
 } pdmc_block;
 
-PDMC_NODISCARD pdmc_status pdmc_block_create(const pdmc_problem *problem, const pdmc_affine *model,
-                                             pdmc_block **block);
+PDMC_NODISCARD pdmc_status pdmc_block_create(const pdmc_problem *problem, const pdmc_affine *model, pdmc_block **block);
 void pdmc_block_destroy(pdmc_block **block);
 
-/// Draws samples first .. first + count - 1; the block's other columns are solved too, without load, so that the shape of
-/// every matrix product is the same.
+/// Draws samples first .. first + count - 1; the block's other columns are solved too, without load, so that the shape
+/// of every matrix product is the same.
 void pdmc_block_draw(pdmc_block *block, int first, int count);
 
 /// Solves the block by the problem's inverse.

@@ -7,8 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-// Directions whose energies agree to this share the sample: a symmetric plate has two equal maxima, which rounding would
-// otherwise deal out.
+// Directions whose energies agree to this share the sample: a symmetric plate has two equal maxima, which rounding
+// would otherwise deal out.
 static const double tie = 1e-6;
 
 static pdmc_status allocate(pdmc_results *results)
@@ -53,10 +53,9 @@ static void summarise_direction(pdmc_results *results, int measure, size_t direc
     for (int q = 0; q < PDMC_QUANTILES; q++)
         statistics->quantiles[direction * PDMC_QUANTILES + (size_t)q] =
             pdmc_statistics_quantile(count, x, pdmc_quantile_levels[q], confidence);
-    pdmc_statistics_histogram(count, x, results->histogram_bins, confidence,
-                              &statistics->histogram_edges[direction * (bins + 1)],
-                              &statistics->histogram_counts[direction * (bins + 2)],
-                              &statistics->density[direction * bins]);
+    pdmc_statistics_histogram(
+        count, x, results->histogram_bins, confidence, &statistics->histogram_edges[direction * (bins + 1)],
+        &statistics->histogram_counts[direction * (bins + 2)], &statistics->density[direction * bins]);
 }
 
 // Adds one sample to the shares of its largest directions, and tells the largest energy.

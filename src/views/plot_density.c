@@ -6,8 +6,8 @@
 enum { SHOWN = 2 };
 static const char *const colours[SHOWN] = {PDMC_BLUE, PDMC_VERMILION};
 
-/// Straight ahead, and 45 degrees off to the side that points up: the left tip's are pi and 3 pi / 4, as in figure 11 of
-/// Evangelatos & Spanos (2011).
+/// Straight ahead, and 45 degrees off to the side that points up: the left tip's are pi and 3 pi / 4, as in figure 11
+/// of Evangelatos & Spanos (2011).
 static double shown_direction(const pdmc_tip *tip, int i)
 {
     const double turn = 45.0 / pdmc_degrees;

@@ -59,8 +59,8 @@ static void the_integrator_is_of_second_order(void **state)
             const int steps = i ? 200 : 100;
             const pdmc_motion_options options = {1.0, k * 0.3, 10.0 / steps, steps, {2, time, factor}};
             double inertia = pdmc_motion_inertia(&options);
-            const pdmc_motion_model model = {1, spring_solve, spring_product, spring_product, spring_work, spring_keep,
-                                             &inertia};
+            const pdmc_motion_model model = {1,           spring_solve, spring_product, spring_product,
+                                             spring_work, spring_keep,  &inertia};
             r[i] = (record){.damping = k * 0.3};
             CHECK_OK(pdmc_motion_run(&model, &options, compare_spring, &r[i]));
         }
@@ -93,8 +93,9 @@ static void bad_options_are_refused(void **state)
     CHECK_STATUS(pdmc_motion_run(&model, &options, NULL, NULL), PDMC_ERR_ARG);
 }
 
-// A bar along y between smooth walls, so that it is a plane wave of speed sqrt(3 mu / rho), held below and pulled above by
-// a pulse. d'Alembert: v(y, t) = sum of the images of w(s) = int f / (rho c) dt, odd at the held end, even at the loaded one.
+// A bar along y between smooth walls, so that it is a plane wave of speed sqrt(3 mu / rho), held below and pulled
+// above by a pulse. d'Alembert: v(y, t) = sum of the images of w(s) = int f / (rho c) dt, odd at the held end, even at
+// the loaded one.
 typedef struct {
     double speed, impedance, length, duration; // of wave, of bar, of pulse
     double *row;
@@ -182,8 +183,9 @@ static void a_wave_in_a_bar_follows_dalembert(void **state)
     bar b[3];
     for (int i = 0; i < 3; i++) {
         run_bar(12, 40 << i, &b[i]);
-        printf("  wave in a bar, step %.4f: displacement off by %.2e of the largest, energy balance by %.1e of the work\n",
-               3.0 / (40 << i), b[i].error / b[i].largest, b[i].balance / b[i].work);
+        printf(
+            "  wave in a bar, step %.4f: displacement off by %.2e of the largest, energy balance by %.1e of the work\n",
+            3.0 / (40 << i), b[i].error / b[i].largest, b[i].balance / b[i].work);
     }
     for (int i = 0; i < 2; i++) CHECK_NEAR(log2(b[i].error / b[i + 1].error), 2.0, 0.3);
     for (int i = 0; i < 3; i++) assert_true(b[i].balance < 1e-7 * b[i].work); // rounding, at the condition of the basis

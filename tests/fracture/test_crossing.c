@@ -8,7 +8,8 @@
 typedef void (*field)(const double x[2], double u[2]);
 
 // G_E of a displacement field by the definition, c constant.
-static double bond_energy(const pdmc_problem *problem, const double x_t[2], double phi, double horizon, field displacement)
+static double bond_energy(const pdmc_problem *problem, const double x_t[2], double phi, double horizon,
+                          field displacement)
 {
     static pdmc_crossing_bond bonds[PDMC_CROSSING_BONDS];
     pdmc_ring_rule rings;
@@ -60,8 +61,8 @@ static void a_uniform_stretch_gives_the_fracture_energy(void **state)
     }
 }
 
-// A strain e_y: the stretch of a bond is e_y sin^2(angle), so G / (c e_y^2 delta^4 / 4) = int sin(t) sin^4(phi + t) dt / 2
-// over 0 .. pi, which is 8/15 along x and 1/5 along y.
+// A strain e_y: the stretch of a bond is e_y sin^2(angle), so G / (c e_y^2 delta^4 / 4) = int sin(t) sin^4(phi + t) dt
+// / 2 over 0 .. pi, which is 8/15 along x and 1/5 along y.
 static void a_uniaxial_strain_is_felt_by_direction(void **state)
 {
     (void)state;
@@ -93,8 +94,8 @@ static void bonds_cross_at_the_point(void **state)
     pdmc_ring_rule_clear(&rings);
 }
 
-// A line of points on a crack crosses only bonds that the crack has cut; beside a crack the far half is cut; and the plate
-// ends at its edges.
+// A line of points on a crack crosses only bonds that the crack has cut; beside a crack the far half is cut; and the
+// plate ends at its edges.
 static void cut_bonds_are_left_out(void **state)
 {
     (void)state;

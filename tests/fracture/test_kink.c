@@ -18,7 +18,8 @@ static void a_straight_crack_keeps_its_stress_intensity(void **state)
     for (int i = 0; i < 2; i++) CHECK_NEAR(k[i], K[i], 1e-14);
 }
 
-// The first powers of the kink follow from the stress about the tip: k_I = K_I - 3/2 phi K_II, k_II = K_II + phi K_I / 2.
+// The first powers of the kink follow from the stress about the tip: k_I = K_I - 3/2 phi K_II, k_II = K_II + phi K_I /
+// 2.
 static void small_kinks_see_the_tip_field(void **state)
 {
     (void)state;

@@ -4,7 +4,8 @@
 /// A second method for a central straight crack in a rectangular plate under tractions: Muskhelishvili's potentials
 ///     phi = X sum p_m (z/R)^m + sum q_m R (z/R)^(m+1),  omega = X sum p_m (z/R)^m - sum q_m R (z/R)^(m+1),
 /// X = sqrt(z - a) sqrt(z + a), which leave the crack free of traction exactly; the coefficients by least squares from
-/// the tractions at Chebyshev points of the four sides. No basis, no point and no line of code in common with the library.
+/// the tractions at Chebyshev points of the four sides. No basis, no point and no line of code in common with the
+/// library.
 
 #include "check.h"
 

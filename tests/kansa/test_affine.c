@@ -16,7 +16,8 @@ static void make_noisy(plate *p, int bins, double variation, int cells)
     p->problem.uncertainty_count = 1;
 }
 
-static double energy_by_definition(const pdmc_kansa *kansa, const pdmc_problem *problem, const double x_t[2], double phi)
+static double energy_by_definition(const pdmc_kansa *kansa, const pdmc_problem *problem, const double x_t[2],
+                                   double phi)
 {
     static pdmc_crossing_bond bonds[PDMC_CROSSING_BONDS];
     pdmc_ring_rule rings;
@@ -111,8 +112,8 @@ static void the_energy_has_its_local_limit(void **state)
 }
 
 // Solves a block of samples and stores their energies, [64, 16], and K_I of the right tip, [64].
-static void solve_samples(plate *p, const pdmc_affine *model, pdmc_inverse inverse, int order, int count, double energy[],
-                          double K[])
+static void solve_samples(plate *p, const pdmc_affine *model, pdmc_inverse inverse, int order, int count,
+                          double energy[], double K[])
 {
     pdmc_block *block = NULL;
     p->problem.sampling.inverse = inverse;
@@ -135,23 +136,23 @@ static double largest_error(const double energy[], const double exact[], int cou
     for (int s = 0; s < count; s++) {
         error[s] = 0.0;
         for (int d = 0; d < 16; d++)
-            if (exact[16 * s + d] > 0.0)
-                error[s] = fmax(error[s], fabs(energy[16 * s + d] / exact[16 * s + d] - 1.0));
+            if (exact[16 * s + d] > 0.0) error[s] = fmax(error[s], fabs(energy[16 * s + d] / exact[16 * s + d] - 1.0));
     }
     gsl_sort(error, 1, (size_t)count);
     *median = error[count / 2];
     return error[count - 1];
 }
 
-// The expansion against direct least-squares solves of the same samples. The expansion's limit satisfies Q^T (F - A x) = 0,
-// the direct solution A^T (F - A x) = 0; with a residual of 1e-4 at the mean they differ by some 1e-5, where the error
-// stops. K of a traction problem does not depend on c(r).
+// The expansion against direct least-squares solves of the same samples. The expansion's limit satisfies Q^T (F - A x)
+// = 0, the direct solution A^T (F - A x) = 0; with a residual of 1e-4 at the mean they differ by some 1e-5, where the
+// error stops. K of a traction problem does not depend on c(r).
 static void the_expansion_converges_to_the_direct_solution(void **state)
 {
     (void)state;
     enum { COUNT = 24, ORDERS = 6 };
     const int bins[2] = {10, 100};
-    const double bound[2][ORDERS + 1] = {{1.0, 0.3, 0.1, 0.03, 0.01, 4e-3, 1.5e-3}, {0.2, 1e-2, 6e-4, 6e-5, 5e-5, 5e-5, 5e-5}};
+    const double bound[2][ORDERS + 1] = {{1.0, 0.3, 0.1, 0.03, 0.01, 4e-3, 1.5e-3},
+                                         {0.2, 1e-2, 6e-4, 6e-5, 5e-5, 5e-5, 5e-5}};
     for (int k = 0; k < 2; k++) {
         plate p;
         pdmc_kansa *kansa = NULL;
@@ -208,8 +209,8 @@ static void the_response_space_holds_the_samples(void **state)
     assert_true(largest < 1e-9); // 1e-13 of the solution, felt through a stretch of 1e-3 to 1e-4 of it
 }
 
-// A micromodulus that is larger everywhere is a larger E. The rows that do not scale, of gauge and side conditions, weigh
-// less then, which moves the least squares by a share of the mean residual of 2e-4.
+// A micromodulus that is larger everywhere is a larger E. The rows that do not scale, of gauge and side conditions,
+// weigh less then, which moves the least squares by a share of the mean residual of 2e-4.
 static void a_uniform_deviation_scales_the_modulus(void **state)
 {
     (void)state;
@@ -230,16 +231,15 @@ static void a_uniform_deviation_scales_the_modulus(void **state)
     }
     CHECK_NEAR(modulus, 1.25, 1e-13);
     CHECK_OK(model.verbs->solve(&model, xi, scale, x));
-    for (int i = 0; i < model.unknowns; i++)
-        CHECK_NEAR(1.25 * x[i], model.solution[0][i] + model.solution[1][i], 2e-5);
+    for (int i = 0; i < model.unknowns; i++) CHECK_NEAR(1.25 * x[i], model.solution[0][i] + model.solution[1][i], 2e-5);
     free(xi);
     free(x);
     pdmc_affine_clear(&model);
     pdmc_kansa_destroy(&kansa);
 }
 
-// Closed forms of section 6.3's scatter: E_eff has the variance of sum_b w_b Z_b with w_b the bin's share of int r^2 dr;
-// G_E at fixed load is proportional to sum_b h_b c_b / E_eff^2 with h_b about its share of int r^3 dr.
+// Closed forms of section 6.3's scatter: E_eff has the variance of sum_b w_b Z_b with w_b the bin's share of int r^2
+// dr; G_E at fixed load is proportional to sum_b h_b c_b / E_eff^2 with h_b about its share of int r^3 dr.
 static void the_scatter_follows_the_bins(void **state)
 {
     (void)state;

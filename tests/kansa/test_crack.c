@@ -16,14 +16,15 @@ static void solve(plate *p, pdmc_tip tips[2])
     pdmc_kansa_destroy(&kansa);
 }
 
-// K_I of a central crack, horizon 0.2 a, by nodes and half length, against boundary collocation. The bounds are those of
-// the formulation's first measurement, 0.17 % and less at 289 nodes; both tips agree by symmetry.
+// K_I of a central crack, horizon 0.2 a, by nodes and half length, against boundary collocation. The bounds are those
+// of the formulation's first measurement, 0.17 % and less at 289 nodes; both tips agree by symmetry.
 static void stress_intensity_of_a_central_crack(void **state)
 {
     (void)state;
     const double lengths[5] = {0.1, 0.25, 0.5, 0.75, 1.0};
     const int cells[3] = {10, 16, 20};
-    const double bound[3][5] = {{0.05, 0.05, 0.20, 0.42, 0.46}, {0.03, 0.03, 0.05, 0.10, 0.17}, {0.02, 0.02, 0.03, 0.05, 0.07}};
+    const double bound[3][5] = {
+        {0.05, 0.05, 0.20, 0.42, 0.46}, {0.03, 0.03, 0.05, 0.10, 0.17}, {0.02, 0.02, 0.03, 0.05, 0.07}};
     printf("  error of K_I in %%, central crack, a = 0.1, 0.25, 0.5, 0.75, 1.0\n");
     for (int i = 0; i < 3; i++) {
         printf("  %3d nodes:", (cells[i] + 1) * (cells[i] + 1));
@@ -130,7 +131,8 @@ static void collinear_cracks(void **state)
     CHECK_NEAR(tip[2].stress_intensity[0] / tip[1].stress_intensity[0], 1.0, 1e-3);
 }
 
-// Every crack field is in equilibrium and leaves its own faces free of traction pairwise: gradients against differences.
+// Every crack field is in equilibrium and leaves its own faces free of traction pairwise: gradients against
+// differences.
 static void gradients_are_those_of_the_values(void **state)
 {
     (void)state;

@@ -21,8 +21,8 @@ static void check_uniform_strain(const pdmc_kansa *kansa, double exx, double eyy
     }
 }
 
-// Patch tests in tension, biaxial tension and shear; Hooke's law in both plane assumptions. The condition number of 1e11
-// leaves room for 1e-5, but a cubic basis holds the solution, which the least squares find to some 1e-12.
+// Patch tests in tension, biaxial tension and shear; Hooke's law in both plane assumptions. The condition number of
+// 1e11 leaves room for 1e-5, but a cubic basis holds the solution, which the least squares find to some 1e-12.
 static void uniform_stress_gives_uniform_strain(void **state)
 {
     (void)state;
@@ -42,7 +42,8 @@ static void uniform_stress_gives_uniform_strain(void **state)
         CHECK_OK(pdmc_kansa_create(&p.problem, NULL, 2, &kansa));
         const double E = 210.0, nu = i / 3 ? 0.25 : 1.0 / 3.0;
         const double E1 = i / 3 ? E / (1.0 - nu * nu) : E, nu1 = i / 3 ? nu / (1.0 - nu) : nu;
-        check_uniform_strain(kansa, (s[0] - nu1 * s[1]) / E1, (s[1] - nu1 * s[0]) / E1, s[2] * (1.0 + nu) / E, 1e-10 / E);
+        check_uniform_strain(kansa, (s[0] - nu1 * s[1]) / E1, (s[1] - nu1 * s[0]) / E1, s[2] * (1.0 + nu) / E,
+                             1e-10 / E);
         pdmc_kansa_destroy(&kansa);
     }
 }
@@ -91,8 +92,9 @@ static void loads_that_nothing_balances_are_refused(void **state)
     pdmc_kansa_destroy(&kansa);
 }
 
-// A plane wave u = A sin(k . x) of the peridynamic equation: b = M(k) u with M = int int c e e^T (1 - cos(r k.e)) dr dtheta,
-// here by quadrature of its own. Plate 1 x 1, horizon 0.15, left side held, the others with the tractions of Hooke's law.
+// A plane wave u = A sin(k . x) of the peridynamic equation: b = M(k) u with M = int int c e e^T (1 - cos(r k.e)) dr
+// dtheta, here by quadrature of its own. Plate 1 x 1, horizon 0.15, left side held, the others with the tractions of
+// Hooke's law.
 static const double wave[2] = {1.0, 0.6}, amplitude[2] = {1.0, 0.6};
 static double stiffness[3]; // M_xx, M_xy, M_yy
 

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// A discretisation of one unknown: K(xi) = 1 + xi, xi = the deviation of a single bin; load 1, so that x = S / (1 + xi).
-/// One tip with four directions; in direction d one bond with the stretch d x.
+/// A discretisation of one unknown: K(xi) = 1 + xi, xi = the deviation of a single bin; load 1, so that x = S / (1 +
+/// xi). One tip with four directions; in direction d one bond with the stretch d x.
 enum { ANGLES = 4 };
 
 typedef struct {
@@ -59,9 +59,19 @@ static void toy_make(toy *t, double micromodulus_variation, double load_variatio
         .energy = {.tip_count = 1, .tips = &t->tip, .angles = ANGLES, .extension = 0.1, .horizon = 1.0},
     };
     t->model = (pdmc_affine){
-        .unknowns = 1, .terms = 1, .bins = 1, .term_weight = &t->term, .modulus_weight = &t->modulus,
-        .solution = {&t->zero, &t->one}, .tips = 1, .angles = ANGLES, .stress_intensity = t->intensity,
-        .micromodulus = 2.0, .crossings = t->crossing, .verbs = &toy_verbs, .discretisation = t,
+        .unknowns = 1,
+        .terms = 1,
+        .bins = 1,
+        .term_weight = &t->term,
+        .modulus_weight = &t->modulus,
+        .solution = {&t->zero, &t->one},
+        .tips = 1,
+        .angles = ANGLES,
+        .stress_intensity = t->intensity,
+        .micromodulus = 2.0,
+        .crossings = t->crossing,
+        .verbs = &toy_verbs,
+        .discretisation = t,
     };
     CHECK_OK(pdmc_ring_rule_create(1, 1, 3, 1.0, &t->model.energy_rings));
     for (int d = 0; d < ANGLES; d++) {
@@ -73,7 +83,11 @@ static void toy_make(toy *t, double micromodulus_variation, double load_variatio
 /// What the run fills in before Monte Carlo.
 static pdmc_status toy_run(toy *t, const pdmc_run_options *options, pdmc_results *r)
 {
-    *r = (pdmc_results){.confidence = 0.95, .bin_count = 1, .tip_count = 1, .angle_count = ANGLES, .histogram_bins = 10,
+    *r = (pdmc_results){.confidence = 0.95,
+                        .bin_count = 1,
+                        .tip_count = 1,
+                        .angle_count = ANGLES,
+                        .histogram_bins = 10,
                         .fracture_energy = 1.0};
     r->tips = pdmc_calloc(1, sizeof *r->tips);
     r->angles = pdmc_calloc(ANGLES, sizeof *r->angles);
@@ -91,8 +105,8 @@ static void toy_clear(toy *t, pdmc_results *r)
 
 static const pdmc_run_options one_thread = {.threads = 1};
 
-// Order k of the expansion of S / (1 + xi) is S sum (-xi)^j: the sign that eq. 52 lacks in print. The energy in direction d
-// is 1/2 c_0 g (d x)^2 with g = c / c_0 times the ring's weight.
+// Order k of the expansion of S / (1 + xi) is S sum (-xi)^j: the sign that eq. 52 lacks in print. The energy in
+// direction d is 1/2 c_0 g (d x)^2 with g = c / c_0 times the ring's weight.
 static void the_expansion_alternates(void **state)
 {
     (void)state;
@@ -136,8 +150,8 @@ static void direct_solves_need_no_expansion(void **state)
     toy_clear(&t, &r);
 }
 
-// Samples of a wide distribution that do not contract are marked, counted and without result, and widen the bounds of the
-// probability; the others are as they would be without them.
+// Samples of a wide distribution that do not contract are marked, counted and without result, and widen the bounds of
+// the probability; the others are as they would be without them.
 static void a_bad_sample_is_counted_not_fatal(void **state)
 {
     (void)state;
