@@ -60,6 +60,9 @@ typedef struct {
 /// are really cut, or the paper's own recipe.
 typedef enum { PDMC_CRACKS_ANALYTIC, PDMC_CRACKS_VISIBLE, PDMC_CRACKS_PAPER } pdmc_crack_model;
 
+/// The radial function of the stencils over visible nodes: an inverse multiquadric, or r^3.
+typedef enum { PDMC_STENCIL_IMQ, PDMC_STENCIL_POLYHARMONIC } pdmc_stencil_kind;
+
 /// Settings of the Kansa collocation; see pdmc/kansa.h.
 typedef struct {
     pdmc_crack_model crack_model;
@@ -71,6 +74,8 @@ typedef struct {
     int radial_points;     // rings on which the operator is sampled for a random c(r)
     bool tip_functions;    // of the paper's crack model: eq. 38 at every tip
     double edge_layer;     // of the paper's crack model: e, the thickness of the layer that loads act on, length
+    int refinement;        // nodes a horizon near the cracks, of the visible crack model
+    pdmc_stencil_kind stencil; // ... and the radial function of its stencils
 } pdmc_kansa_options;
 
 typedef enum { PDMC_INVERSE_DIRECT, PDMC_INVERSE_NEUMANN } pdmc_inverse;

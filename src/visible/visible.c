@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "visible/visible.h"
+
+#include "base/base_impl.h"
+#include "visible/rows.h"
+#include "visible/system.h"
+
+#include <math.h>
+
+static pdmc_status prepare(pdmc_visible *visible)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_problem *problem = visible->problem;
+    PDMC_TRY(pdmc_cuts_create(problem, &visible->cuts));
+    PDMC_TRY(pdmc_visible_nodes_create(problem, &visible->cuts, !visible->data.outside, &visible->nodes));
+    visible->field =
+        (pdmc_stencil_field){&visible->cuts, &visible->nodes, problem->kansa.stencil == PDMC_STENCIL_POLYHARMONIC};
+    const bool is_random = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_MICROMODULUS) != NULL;
+    visible->terms = is_random ? PDMC_VISIBLE_DEGREE + 1 : 0;
+    visible->micromodulus = pdmc_micromodulus(&problem->material, problem->kansa.horizon);
+    visible->unknowns = 2 * visible->nodes.count;
+    if (!visible->data.outside) PDMC_TRY(pdmc_problem_free_motions(problem, &visible->motions, visible->motion));
+    PDMC_NEW(visible->stencils, visible->nodes.count);
+    PDMC_NEW(visible->rows, visible->nodes.count);
+    for (int l = 0; l < 2; l++) {
+        PDMC_NEW(visible->load[l], visible->unknowns);
+        PDMC_NEW(visible->solution[l], visible->unknowns);
+    }
+    PDMC_NEW(visible->mean, visible->unknowns);
+done:
+    return status;
+}
+
+static pdmc_status make_stencils(pdmc_visible *visible)
+{
+    pdmc_status status = PDMC_OK;
+#pragma omp parallel for schedule(dynamic, 16) num_threads(visible->threads)
+    for (int i = 0; i < visible->nodes.count; i++) {
+        const pdmc_status mine = pdmc_stencil_create(&visible->field, i, &visible->stencils[i]);
+        if (mine != PDMC_OK) {
+#pragma omp critical(pdmc_visible)
+            status = mine;
+        }
+    }
+    return status;
+}
+
+static pdmc_status make_row(pdmc_visible *visible, pdmc_disc_sum *sum, int i)
+{
+    double *held = &visible->load[0][2 * i], *load = &visible->load[1][2 * i];
+    if (visible->nodes.node[i].edge >= 0) return pdmc_visible_edge_row(visible, i, &visible->rows[i], held, load);
+    return pdmc_visible_force_row(sum, i, &visible->rows[i], held);
+}
+
+static pdmc_status make_rows(pdmc_visible *visible)
+{
+    pdmc_status status = PDMC_OK;
+#pragma omp parallel num_threads(visible->threads)
+    {
+        pdmc_disc_sum sum;
+        pdmc_status mine = pdmc_disc_sum_create(visible, visible->terms + 1, false, &sum);
+#pragma omp for schedule(dynamic, 16)
+        for (int i = 0; i < visible->nodes.count; i++)
+            if (mine == PDMC_OK) mine = make_row(visible, &sum, i);
+        if (mine != PDMC_OK) {
+#pragma omp critical(pdmc_visible)
+            status = mine;
+        }
+        pdmc_disc_sum_clear(&sum);
+    }
+    return status;
+}
+
+static pdmc_status solve_mean(pdmc_visible *visible)
+{
+    pdmc_status status = PDMC_OK;
+    double *product = NULL;
+    PDMC_NEW(product, visible->unknowns);
+    for (int l = 0; l < 2; l++)
+        PDMC_TRY(pdmc_visible_solve(visible, &visible->factor, visible->load[l], visible->solution[l]));
+    for (int i = 0; i < visible->unknowns; i++) visible->mean[i] = visible->solution[0][i] + visible->solution[1][i];
+    pdmc_visible_product(visible, 0, visible->mean, product);
+    for (int i = 0; i < visible->unknowns; i++)
+        visible->residual = fmax(visible->residual, fabs(product[i] - visible->load[0][i] - visible->load[1][i]));
+done:
+    pdmc_free(product);
+    return status;
+}
+
+pdmc_status pdmc_visible_create(const pdmc_problem *problem, const pdmc_visible_data *data, int threads,
+                                pdmc_visible **visible)
+{
+    const int refinement = problem->kansa.refinement;
+    PDMC_REQUIRE(threads >= 1, "%d threads: at least one is needed", threads);
+    PDMC_REQUIRE(2 <= refinement && refinement <= 16, "refinement %d is not in [2, 16]", refinement);
+    pdmc_status status = PDMC_OK;
+    pdmc_visible *made = NULL;
+    const double start = pdmc_seconds();
+    pdmc_blas_prepare();
+    if (!data) PDMC_TRY(pdmc_problem_check_equilibrium(problem));
+    PDMC_NEW(made, 1);
+    made->problem = problem;
+    made->threads = threads;
+    if (data) made->data = *data;
+    PDMC_TRY(prepare(made));
+    PDMC_TRY(make_stencils(made));
+    PDMC_TRY(make_rows(made));
+    const double assembled = pdmc_seconds();
+    PDMC_TRY(pdmc_visible_factor(made, NULL, &made->factor));
+    PDMC_TRY(solve_mean(made));
+    made->assembly_seconds = assembled - start;
+    made->factorisation_seconds = pdmc_seconds() - assembled;
+    *visible = made;
+    made = NULL;
+done:
+    pdmc_visible_destroy(&made);
+    return status;
+}
+
+void pdmc_visible_destroy(pdmc_visible **visible)
+{
+    pdmc_visible *old = *visible;
+    if (!old) return;
+    for (int i = 0; i < old->nodes.count; i++) {
+        if (old->stencils) pdmc_stencil_clear(&old->stencils[i]);
+        if (old->rows) pdmc_block_row_clear(&old->rows[i]);
+    }
+    pdmc_free(old->stencils);
+    pdmc_free(old->rows);
+    for (int l = 0; l < 2; l++) {
+        pdmc_free(old->load[l]);
+        pdmc_free(old->solution[l]);
+    }
+    pdmc_free(old->mean);
+    pdmc_factor_clear(&old->factor);
+    pdmc_visible_nodes_clear(&old->nodes);
+    pdmc_cuts_clear(&old->cuts);
+    pdmc_free(old);
+    *visible = NULL;
+}
