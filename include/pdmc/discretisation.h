@@ -5,6 +5,7 @@
 /// verbs, so that Monte Carlo, plots and comparisons need not know which one ran.
 
 #include "pdmc/affine.h"
+#include "pdmc/dynamics.h"
 #include "pdmc/results.h"
 
 typedef struct pdmc_discretisation pdmc_discretisation;
@@ -25,6 +26,10 @@ typedef struct {
     /// The affine model of the problem's uncertain quantities; the method must outlive it.
     pdmc_status (*affine)(const void *method, pdmc_affine *model);
     void (*destroy)(void *method);
+    /// The model of the plate's motion for the inertia of pdmc_motion_inertia(); NULL where the method does not give it.
+    pdmc_status (*motion)(const void *method, double inertia, pdmc_motion_model *model);
+    /// The rows [2, unknowns] that give the displacement at x, u and v, of a state of that motion; the anchor as above.
+    pdmc_status (*motion_rows)(const void *method, const double x[2], const double anchor[2], double row[]);
 } pdmc_discretisation_verbs;
 
 struct pdmc_discretisation {

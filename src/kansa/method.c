@@ -33,6 +33,16 @@ static pdmc_status affine(const void *method, pdmc_affine *model)
     return pdmc_kansa_affine(method, model);
 }
 
+static pdmc_status motion(const void *method, double inertia, pdmc_motion_model *model)
+{
+    return pdmc_kansa_motion(method, inertia, model);
+}
+
+static pdmc_status motion_rows(const void *method, const double x[2], const double anchor[2], double row[])
+{
+    return pdmc_kansa_motion_rows(method, x, anchor, row);
+}
+
 static void destroy(void *method)
 {
     pdmc_kansa *kansa = method;
@@ -41,7 +51,17 @@ static void destroy(void *method)
 
 pdmc_status pdmc_kansa_discretise(const pdmc_problem *problem, int threads, pdmc_discretisation *out)
 {
-    static const pdmc_discretisation_verbs verbs = {report, runtime, displacement, tip, field, affine, destroy};
+    static const pdmc_discretisation_verbs verbs = {
+        .report = report,
+        .runtime = runtime,
+        .displacement = displacement,
+        .tip = tip,
+        .field = field,
+        .affine = affine,
+        .destroy = destroy,
+        .motion = motion,
+        .motion_rows = motion_rows,
+    };
     pdmc_kansa *kansa = NULL;
     const pdmc_status status = pdmc_kansa_create(problem, NULL, threads, &kansa);
     if (status == PDMC_OK) *out = (pdmc_discretisation){&verbs, kansa};
