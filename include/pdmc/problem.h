@@ -9,6 +9,7 @@
 
 enum { PDMC_NAME_SIZE = 64 }; // with the terminating zero
 
+typedef enum { PDMC_STATIC, PDMC_DYNAMIC } pdmc_problem_kind;
 typedef enum { PDMC_PLANE_STRESS, PDMC_PLANE_STRAIN } pdmc_assumption;
 typedef enum { PDMC_SIDE_LEFT, PDMC_SIDE_RIGHT, PDMC_SIDE_BOTTOM, PDMC_SIDE_TOP } pdmc_side;
 
@@ -102,9 +103,32 @@ typedef struct {
     pdmc_measure measure; // what P(G > G_c) and the direction are computed from
 } pdmc_energy_request;
 
+/// Of a dynamic problem: the plate is at rest until time 0, and the loads follow a history.
 typedef struct {
+    double density;  // rho, mass / length^3, the mass in force time^2 / length
+    double damping;  // d, 1 / time: a force -rho d u' on every point
+    double step;     // of time
+    double duration; // of time, reached by whole steps
+} pdmc_dynamics;
+
+/// The factor on all tractions at a time; linear in between, constant before the first point and after the last.
+typedef struct {
+    double time, factor;
+} pdmc_history_point;
+
+typedef enum { PDMC_FACE_NONE, PDMC_FACE_LEFT, PDMC_FACE_RIGHT } pdmc_face;
+
+/// A point whose displacement is recorded. On a crack it belongs to one of the faces, left or right of from -> to.
+typedef struct {
+    char name[PDMC_NAME_SIZE];
+    double at[2]; // length
+    pdmc_face face;
+} pdmc_probe;
+
+typedef struct {
+    pdmc_problem_kind kind;
     char *title;
-    char *length_unit, *force_unit;
+    char *length_unit, *force_unit, *time_unit;
     pdmc_plate plate;
     pdmc_material material;
     int crack_count;
@@ -113,6 +137,11 @@ typedef struct {
     pdmc_load *loads; // [load_count]
     int support_count;
     pdmc_support *supports; // [support_count]
+    pdmc_dynamics dynamics; // zero in a static problem, as are the history and the probes
+    int history_count;
+    pdmc_history_point *history; // [history_count], ascending in time
+    int probe_count;
+    pdmc_probe *probes; // [probe_count]
     int uncertainty_count;
     pdmc_uncertainty *uncertainties; // [uncertainty_count], each quantity at most once
     pdmc_kansa_options kansa;
@@ -136,6 +165,15 @@ PDMC_API double pdmc_plane_modulus(const pdmc_material *material);
 /// 48 E / (5 pi delta^3) in plane strain, force / length^5 (eq. 16 of Evangelatos & Spanos 2011 is half of this in
 /// print).
 PDMC_API double pdmc_micromodulus(const pdmc_material *material, double horizon);
+
+/// The number of time steps of a dynamic problem: duration / step, rounded up.
+PDMC_API int pdmc_problem_steps(const pdmc_problem *problem);
+
+/// The crack that a point lies on, within 1e-9 of the plate's size, or -1.
+PDMC_API int pdmc_problem_crack_at(const pdmc_problem *problem, const double x[2]);
+
+/// The speed of plane pressure waves, sqrt(3 mu / rho) with lambda = mu, length / time.
+PDMC_API double pdmc_wave_speed(const pdmc_material *material, double density);
 
 /// The rigid motions that the supports leave free.
 /// @param[out] count    0 to 3

@@ -2,6 +2,7 @@
 #include "pdmc/problem.h"
 
 #include "base/base_impl.h"
+#include "pdmc/geometry.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -11,9 +12,12 @@ void pdmc_problem_clear(pdmc_problem *problem)
     pdmc_free(problem->title);
     pdmc_free(problem->length_unit);
     pdmc_free(problem->force_unit);
+    pdmc_free(problem->time_unit);
     pdmc_free(problem->cracks);
     pdmc_free(problem->loads);
     pdmc_free(problem->supports);
+    pdmc_free(problem->history);
+    pdmc_free(problem->probes);
     pdmc_free(problem->uncertainties);
     pdmc_free(problem->energy.tips);
     *problem = (pdmc_problem){0};
@@ -42,4 +46,24 @@ double pdmc_micromodulus(const pdmc_material *material, double horizon)
 {
     const double factor = material->assumption == PDMC_PLANE_STRESS ? 9.0 : 48.0 / 5.0;
     return factor * material->youngs_modulus / (M_PI * pow(horizon, 3));
+}
+
+int pdmc_problem_steps(const pdmc_problem *problem)
+{
+    const double steps = problem->dynamics.duration / problem->dynamics.step;
+    return (int)ceil(steps * (1.0 - 1e-9)); // a whole number of steps that were written in decimals stays whole
+}
+
+int pdmc_problem_crack_at(const pdmc_problem *problem, const double x[2])
+{
+    const double near = 1e-9 * (problem->plate.width + problem->plate.height);
+    for (int c = 0; c < problem->crack_count; c++)
+        if (pdmc_point_segment_distance(x, problem->cracks[c].from, problem->cracks[c].to) <= near) return c;
+    return -1;
+}
+
+double pdmc_wave_speed(const pdmc_material *material, double density)
+{
+    const double shear_modulus = 0.5 * material->youngs_modulus / (1.0 + pdmc_poissons_ratio(material->assumption));
+    return sqrt(3.0 * shear_modulus / density);
 }

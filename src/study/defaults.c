@@ -36,6 +36,11 @@ double pdmc_study_default_shape(const pdmc_problem *problem)
     return 6.0 * problem->kansa.spacing;
 }
 
+double pdmc_study_default_step(const pdmc_problem *problem)
+{
+    return problem->kansa.spacing / (4.0 * pdmc_wave_speed(&problem->material, problem->dynamics.density));
+}
+
 double pdmc_study_default_energy_horizon(const pdmc_problem *problem)
 {
     return problem->kansa.horizon;

@@ -13,7 +13,7 @@ static void print_setting(FILE *out, const pdmc_study_setting *s)
     fprintf(out, "    %-18s%s%s", s->key, noun, *noun ? " " : "");
     pdmc_study_print_range(out, s);
     if (s->unit != UNIT_NONE) fputs("; ", out);
-    pdmc_study_print_unit(out, s->unit, "length", "force");
+    pdmc_study_print_unit(out, s->unit, &(pdmc_study_units){"length", "force", "time"});
     fprintf(out, s->fallback ? "; default %s" : "; required", s->fallback);
     fprintf(out, "; %s\n", s->doc);
 }

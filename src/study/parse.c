@@ -112,6 +112,16 @@ static pdmc_status read_group(const pdmc_study_reader *reader, pdmc_study_sectio
     return read_record(&(pdmc_study_record){reader, group, id, -1, reader->problem});
 }
 
+// Only what a study of its kind is made of may be in its file.
+static pdmc_status refuse_of_kind(const pdmc_study_reader *reader, pdmc_study_section_id id)
+{
+    const pdmc_study_section *section = &pdmc_study_sections[id];
+    const pdmc_study_setting *kind = find_setting(SECTION_TOP, "kind");
+    return pdmc_study_refuse(reader, (pdmc_study_address){id, -1, NULL}, "is not part of a study of kind \"%s\"%s%s",
+                             kind->choices[reader->problem->kind], section->instead ? ": " : "",
+                             section->instead ? section->instead : "");
+}
+
 pdmc_status pdmc_study_parse(const pdmc_study_reader *reader)
 {
     pdmc_status status = PDMC_OK;
@@ -119,6 +129,10 @@ pdmc_status pdmc_study_parse(const pdmc_study_reader *reader)
         const pdmc_study_section *section = &pdmc_study_sections[id];
         const config_setting_t *at =
             id == SECTION_TOP ? reader->root : config_setting_get_member(reader->root, section->name);
+        if (!pdmc_study_section_belongs(section, reader->problem->kind)) {
+            if (at) PDMC_TRY(refuse_of_kind(reader, id));
+            continue;
+        }
         PDMC_TRY((section->size > 0 ? read_list : read_group)(reader, id, at));
         if (section->check) PDMC_TRY(section->check(reader));
     }

@@ -11,6 +11,7 @@
 typedef struct {
     FILE *out;
     const pdmc_problem *problem;
+    pdmc_study_units units;
 } writer;
 
 typedef void write_function(const writer *w, const pdmc_study_setting *s, const void *field);
@@ -103,7 +104,7 @@ static void write_record(const writer *w, pdmc_study_section_id section, const c
         writers[s->kind](w, s, s->offset == NOT_STORED ? NULL : base + s->offset);
         fputc(';', w->out);
         if (s->unit != UNIT_NONE) fputs(" # ", w->out);
-        pdmc_study_print_unit(w->out, s->unit, w->problem->length_unit, w->problem->force_unit);
+        pdmc_study_print_unit(w->out, s->unit, &w->units);
         fputc('\n', w->out);
     }
 }
@@ -145,8 +146,10 @@ pdmc_status pdmc_study_resolve(pdmc_study *study)
     pdmc_study_text text = {0};
     char *resolved = NULL;
     PDMC_TRY(pdmc_study_text_open(&text));
-    const writer w = {text.out, &study->problem};
-    for (pdmc_study_section_id id = SECTION_TOP; id < SECTIONS; id++) write_section(&w, id);
+    const pdmc_problem *p = &study->problem;
+    const writer w = {text.out, p, {p->length_unit, p->force_unit, p->time_unit}};
+    for (pdmc_study_section_id id = SECTION_TOP; id < SECTIONS; id++)
+        if (pdmc_study_section_belongs(&pdmc_study_sections[id], p->kind)) write_section(&w, id);
     PDMC_TRY(pdmc_study_text_close(&text));
     PDMC_TRY(pdmc_study_text_copy(&text, &resolved));
     pdmc_free(study->resolved);

@@ -11,6 +11,7 @@
 #define CHOICES(...) (const char *const[]) { __VA_ARGS__, NULL }
 #define ONLY(quantity) (1U << (quantity))
 #define IN_PROBLEM(field) offsetof(pdmc_problem, field)
+#define OF(kind) .kinds = ONLY(kind)
 #define LIST(type, field, length)                                                                                      \
     .size = sizeof(type), .items = offsetof(pdmc_problem, field), .count = offsetof(pdmc_problem, length)
 
@@ -31,16 +32,27 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
     [SECTION_SUPPORTS] = {.name = "supports", .doc = "list of sides with prescribed displacements",
                           LIST(pdmc_support, supports, support_count), .check = pdmc_study_check_loads},
     [SECTION_SOLVER] = {.name = "solver", .doc = "how the field is computed", .check = pdmc_study_check_solver},
+    [SECTION_DYNAMICS] = {.name = "dynamics", .doc = "inertia, damping and time of a dynamic study", OF(PDMC_DYNAMIC),
+                          .check = pdmc_study_check_dynamics},
+    [SECTION_HISTORY] = {.name = "history", OF(PDMC_DYNAMIC),
+                         .doc = "list of factors on all tractions of a dynamic study, linear in between; without it a "
+                                "load that rises within the first step and stays",
+                         LIST(pdmc_history_point, history, history_count), .check = pdmc_study_check_history},
+    [SECTION_PROBES] = {.name = "probes", .doc = "list of points whose displacement a dynamic study records",
+                        OF(PDMC_DYNAMIC), LIST(pdmc_probe, probes, probe_count), .check = pdmc_study_check_probes},
     [SECTION_RANDOM] = {.name = "random", .doc = "list of uncertain quantities; without it the study is deterministic",
-                        LIST(pdmc_uncertainty, uncertainties, uncertainty_count), .check = pdmc_study_check_random},
-    [SECTION_SAMPLING] = {.name = "sampling", .doc = "the Monte Carlo simulation"},
+                        LIST(pdmc_uncertainty, uncertainties, uncertainty_count), .check = pdmc_study_check_random,
+                        OF(PDMC_STATIC), .instead = "a dynamic study is deterministic for now"},
+    [SECTION_SAMPLING] = {.name = "sampling", .doc = "the Monte Carlo simulation", OF(PDMC_STATIC)},
     [SECTION_ENERGY] = {.name = "energy", .doc = "the energy release rates that are asked for",
-                        .check = pdmc_study_check_energy},
+                        OF(PDMC_STATIC), .check = pdmc_study_check_energy},
 };
 
 // In the order of the enumerations in pdmc/problem.h.
+#define STUDY_KINDS CHOICES("static", "dynamic")
 #define ASSUMPTIONS CHOICES("plane_stress", "plane_strain")
 #define SIDES CHOICES("left", "right", "bottom", "top")
+#define FACES CHOICES("none", "left", "right")
 #define QUANTITIES CHOICES("micromodulus", "load")
 #define DISTRIBUTIONS CHOICES("normal", "lognormal")
 #define INVERSES CHOICES("direct", "neumann")
@@ -48,6 +60,8 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define MEASURES CHOICES("bond", "griffith")
 
 const pdmc_study_setting pdmc_study_settings[] = {
+    {SECTION_TOP, "kind", KIND_CHOICE, .offset = IN_PROBLEM(kind), .choices = STUDY_KINDS, .fallback = "static",
+     .doc = "equilibrium and energy release rates, or motion under a history of the load"},
     {SECTION_TOP, "title", KIND_TEXT, .offset = IN_PROBLEM(title), .fallback = "untitled",
      .doc = "what the study is about, for headings"},
     {SECTION_TOP, "seed", KIND_SEED, .range = NOT_NEGATIVE, .offset = IN_PROBLEM(sampling.seed), .fallback = "1",
@@ -55,6 +69,8 @@ const pdmc_study_setting pdmc_study_settings[] = {
 
     {SECTION_UNITS, "length", KIND_TEXT, .offset = IN_PROBLEM(length_unit), .fallback = "m", .doc = "name of the unit"},
     {SECTION_UNITS, "force", KIND_TEXT, .offset = IN_PROBLEM(force_unit), .fallback = "N", .doc = "name of the unit"},
+    {SECTION_UNITS, "time", KIND_TEXT, .offset = IN_PROBLEM(time_unit), .fallback = "s",
+     .doc = "name of the unit, of dynamic studies"},
 
     {SECTION_PLATE, "width", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(plate.width), .doc = "extent in x"},
     {SECTION_PLATE, "height", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(plate.height), .doc = "extent in y"},
@@ -105,6 +121,27 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_SOLVER, "radial_points", KIND_INT, .range = FROM_TO(3, 12), .offset = IN_PROBLEM(kansa.radial_points),
      .fallback = "6", .doc = "rings on which the operator is sampled for a random c(r)"},
 
+    {SECTION_DYNAMICS, "density", KIND_REAL, UNIT_MASS_DENSITY, POSITIVE, IN_PROBLEM(dynamics.density),
+     .doc = "mass of a unit of volume"},
+    {SECTION_DYNAMICS, "damping", KIND_REAL, UNIT_RATE, NOT_NEGATIVE, IN_PROBLEM(dynamics.damping), .fallback = "0.0",
+     .doc = "d of a force -density d u' on every point"},
+    {SECTION_DYNAMICS, "step", KIND_REAL, UNIT_TIME, POSITIVE, IN_PROBLEM(dynamics.step),
+     .derive = pdmc_study_default_step, .fallback = "spacing / (4 c), c of pressure waves",
+     .doc = "of time; any is stable, the error falls as its square"},
+    {SECTION_DYNAMICS, "duration", KIND_REAL, UNIT_TIME, POSITIVE, IN_PROBLEM(dynamics.duration),
+     .doc = "reached by whole steps"},
+
+    {SECTION_HISTORY, "time", KIND_REAL, UNIT_TIME, NOT_NEGATIVE, offsetof(pdmc_history_point, time),
+     .doc = "ascending"},
+    {SECTION_HISTORY, "factor", KIND_REAL, .range = ANY, .offset = offsetof(pdmc_history_point, factor),
+     .doc = "on all tractions from then on, linear to the next"},
+
+    {SECTION_PROBES, "name", KIND_NAME, .offset = offsetof(pdmc_probe, name), .fallback = "probe1, probe2, ...",
+     .doc = "each name once"},
+    {SECTION_PROBES, "at", KIND_PAIR, UNIT_LENGTH, ANY, offsetof(pdmc_probe, at), .doc = "point of the plate, [x, y]"},
+    {SECTION_PROBES, "side", KIND_CHOICE, .offset = offsetof(pdmc_probe, face), .choices = FACES, .fallback = "none",
+     .doc = "of a point on a crack: the face left or right of from -> to"},
+
     {SECTION_RANDOM, "quantity", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, quantity), .choices = QUANTITIES,
      .doc = "what is uncertain, each quantity once"},
     {SECTION_RANDOM, "model", KIND_CHOICE, .offset = NOT_STORED, .choices = CHOICES("radial_noise"),
@@ -147,7 +184,8 @@ const pdmc_study_setting pdmc_study_settings[] = {
 _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == sizeof(int) &&
                    sizeof(pdmc_quantity) == sizeof(int) && sizeof(pdmc_distribution_kind) == sizeof(int) &&
                    sizeof(pdmc_inverse) == sizeof(int) && sizeof(pdmc_bonds) == sizeof(int) &&
-                   sizeof(pdmc_measure) == sizeof(int),
+                   sizeof(pdmc_measure) == sizeof(int) && sizeof(pdmc_problem_kind) == sizeof(int) &&
+                   sizeof(pdmc_face) == sizeof(int),
                "enumerations of another size");
 
 bool pdmc_study_setting_belongs(const pdmc_study_setting *setting, const void *base)
@@ -157,13 +195,22 @@ bool pdmc_study_setting_belongs(const pdmc_study_setting *setting, const void *b
     return setting->quantities & ONLY(uncertainty->quantity);
 }
 
-void pdmc_study_print_unit(FILE *out, pdmc_study_unit unit, const char *length, const char *force)
+bool pdmc_study_section_belongs(const pdmc_study_section *section, pdmc_problem_kind kind)
 {
+    return section->kinds == 0 || section->kinds & ONLY(kind);
+}
+
+void pdmc_study_print_unit(FILE *out, pdmc_study_unit unit, const pdmc_study_units *units)
+{
+    const char *length = units->length, *force = units->force, *time = units->time;
     switch (unit) {
     case UNIT_NONE: break;
     case UNIT_LENGTH: fputs(length, out); break;
     case UNIT_STRESS: fprintf(out, "%s/%s^2", force, length); break;
     case UNIT_LINE_FORCE: fprintf(out, "%s/%s", force, length); break;
+    case UNIT_TIME: fputs(time, out); break;
+    case UNIT_RATE: fprintf(out, "1/%s", time); break;
+    case UNIT_MASS_DENSITY: fprintf(out, "%s %s^2/%s^4", force, time, length); break;
     }
 }
 

@@ -58,6 +58,9 @@ typedef enum {
     SECTION_LOADS,
     SECTION_SUPPORTS,
     SECTION_SOLVER,
+    SECTION_DYNAMICS,
+    SECTION_HISTORY,
+    SECTION_PROBES,
     SECTION_RANDOM,
     SECTION_SAMPLING,
     SECTION_ENERGY,
@@ -71,13 +74,26 @@ typedef enum {
     KIND_INT,
     KIND_SEED, // a 64-bit integer
     KIND_TEXT,
-    KIND_NAME, // of a crack
+    KIND_NAME, // of a crack or a probe
     KIND_CHOICE,
     KIND_TIPS, // names of crack tips
     KINDS
 } pdmc_study_kind;
 
-typedef enum { UNIT_NONE, UNIT_LENGTH, UNIT_STRESS, UNIT_LINE_FORCE } pdmc_study_unit;
+typedef enum {
+    UNIT_NONE,
+    UNIT_LENGTH,
+    UNIT_STRESS,
+    UNIT_LINE_FORCE,
+    UNIT_TIME,
+    UNIT_RATE,
+    UNIT_MASS_DENSITY
+} pdmc_study_unit;
+
+/// What the base units are called.
+typedef struct {
+    const char *length, *force, *time;
+} pdmc_study_units;
 
 /// low <= x <= high, or low < x where the bound is excluded.
 typedef struct {
@@ -111,6 +127,8 @@ typedef struct {
     size_t size;                                           // of an element, for a list of groups; 0 for a single group
     size_t items, count;                                   // offsets in the problem of a list's pointer and length
     pdmc_status (*check)(const pdmc_study_reader *reader); // what the values mean together; may be NULL
+    unsigned kinds;      // the kinds of study the section belongs to, as bits; 0 for all
+    const char *instead; // what to say where it does not belong, after which it does; may be NULL
 } pdmc_study_section;
 
 extern const pdmc_study_section pdmc_study_sections[SECTIONS];
@@ -118,7 +136,9 @@ extern const pdmc_study_setting pdmc_study_settings[]; // by section, in the ord
 
 /// Whether the key belongs to the record at `base` (the quantities of an uncertainty have different keys).
 bool pdmc_study_setting_belongs(const pdmc_study_setting *setting, const void *base);
-void pdmc_study_print_unit(FILE *out, pdmc_study_unit unit, const char *length, const char *force);
+/// Whether a study of this kind has the section.
+bool pdmc_study_section_belongs(const pdmc_study_section *section, pdmc_problem_kind kind);
+void pdmc_study_print_unit(FILE *out, pdmc_study_unit unit, const pdmc_study_units *units);
 /// What values are allowed: "> 0", "from 1 to 20", "\"left\" or \"right\"".
 void pdmc_study_print_range(FILE *out, const pdmc_study_setting *setting);
 /// What to say before the range where the kind is wrong: "a real", "an integer"; "" where the range says it.
@@ -134,6 +154,7 @@ double pdmc_study_default_horizon(const pdmc_problem *problem);
 double pdmc_study_default_shape(const pdmc_problem *problem);
 double pdmc_study_default_energy_horizon(const pdmc_problem *problem);
 double pdmc_study_default_extension(const pdmc_problem *problem);
+double pdmc_study_default_step(const pdmc_problem *problem);
 
 // ---- reading (parse.c, values.c, tips.c), and places in the file (report.c) ----
 
@@ -223,5 +244,9 @@ static inline double pdmc_study_with_rounding(double bound)
 PDMC_NODISCARD pdmc_status pdmc_study_check_cracks(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_loads(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_solver(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_dynamics(const pdmc_study_reader *reader);
+/// Gives a history that is empty its one point, a factor of 1 from the start.
+PDMC_NODISCARD pdmc_status pdmc_study_check_history(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_probes(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_random(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_energy(const pdmc_study_reader *reader);

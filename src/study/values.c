@@ -128,7 +128,8 @@ static pdmc_status read_name(const pdmc_study_record *r, const pdmc_study_settin
         if (length == 0 || length >= sizeof name || allowed < length) return pdmc_study_refuse_value(r, s, value, "");
         memcpy(name, text, length);
     } else {
-        snprintf(name, sizeof name, "crack%d", r->index + 1);
+        const int letters = (int)strcspn(s->fallback, "1"); // "crack1, crack2, ..."
+        snprintf(name, sizeof name, "%.*s%d", letters, s->fallback, r->index + 1);
     }
     store(r, s, name, sizeof name);
     return PDMC_OK;

@@ -33,6 +33,8 @@ static void check_same_items(const pdmc_problem *a, const pdmc_problem *b)
     SAME_ITEMS(loads, load_count);
     SAME_ITEMS(supports, support_count);
     SAME_ITEMS(uncertainties, uncertainty_count);
+    SAME_ITEMS(history, history_count);
+    SAME_ITEMS(probes, probe_count);
     SAME_ITEMS(energy.tips, energy.tip_count);
 #undef SAME_ITEMS
 }
@@ -42,16 +44,19 @@ static void check_same(const pdmc_problem *a, const pdmc_problem *b)
     assert_string_equal(a->title, b->title);
     assert_string_equal(a->length_unit, b->length_unit);
     assert_string_equal(a->force_unit, b->force_unit);
+    assert_string_equal(a->time_unit, b->time_unit);
     check_same_items(a, b);
     // What is left is plain once the pointers are gone: bit for bit, padding included, since problems begin as zeros.
     pdmc_problem x = *a, y = *b;
     pdmc_problem *both[2] = {&x, &y};
     for (int i = 0; i < 2; i++) {
-        both[i]->title = both[i]->length_unit = both[i]->force_unit = NULL;
+        both[i]->title = both[i]->length_unit = both[i]->force_unit = both[i]->time_unit = NULL;
         both[i]->cracks = NULL;
         both[i]->loads = NULL;
         both[i]->supports = NULL;
         both[i]->uncertainties = NULL;
+        both[i]->history = NULL;
+        both[i]->probes = NULL;
         both[i]->energy.tips = NULL;
     }
     assert_memory_equal(&x, &y, sizeof x);
@@ -100,6 +105,37 @@ static void the_first_study_survives(void **state)
     CHECK_OK(pdmc_study_read(STUDIES "/center_crack/study.cfg", &study));
     expect_round_trip(&study);
     pdmc_study_clear(&study);
+}
+
+static void a_dynamic_study_survives(void **state)
+{
+    (void)state;
+    const char dynamic[] =
+        "kind = \"dynamic\"; units = { time = \"ms\"; };\n"
+        "plate = { width = 6.0; height = 4.0; };\n"
+        "material = { youngs_modulus = 2.0; fracture_energy = 0.5; };\n"
+        "cracks = ( { name = \"a\"; from = [-0.5, 0.0]; to = [0.5, 0.0]; } );\n"
+        "loads = ( { side = \"top\"; traction = [0, 1]; }, { side = \"bottom\"; traction = [0, -1]; } );\n"
+        "dynamics = { density = 7.85e-9; damping = 0.1; step = 0.01; duration = 3.0; };\n"
+        "history = ( { time = 0.5; factor = 1; }, { time = 0.7; factor = -0.1; } );\n"
+        "probes = ( { at = [0.1, 0.0]; side = \"left\"; }, { name = \"corner\"; at = [3, 2]; } );\n";
+    pdmc_study study;
+    CHECK_OK(read_text(dynamic, &study));
+    const pdmc_problem *p = &study.problem;
+    assert_int_equal(p->kind, PDMC_DYNAMIC);
+    assert_int_equal(p->history_count, 2);
+    CHECK_NEAR(p->history[1].factor, -0.1, 0.0);
+    assert_string_equal(p->probes[0].name, "probe1");
+    assert_int_equal(p->probes[0].face, PDMC_FACE_LEFT);
+    assert_int_equal(p->probes[1].face, PDMC_FACE_NONE);
+    assert_int_equal(pdmc_problem_steps(p), 300);
+    assert_non_null(strstr(study.resolved, "    density = 7.85e-09; # N ms^2/m^4\n"));
+    assert_non_null(strstr(study.resolved, "    damping = 0.1; # 1/ms\n"));
+    assert_null(strstr(study.resolved, "sampling"));
+    expect_round_trip(&study);
+    pdmc_study_clear(&study);
+    write_text("study.cfg", dynamic);
+    CHECK_FAILS_CLEANLY(pdmc_study_read("study.cfg", &study), pdmc_study_clear(&study));
 }
 
 static void changes_are_written(void **state)
@@ -193,6 +229,7 @@ int main(void)
         cmocka_unit_test(every_setting_survives),
         cmocka_unit_test(defaults_survive),
         cmocka_unit_test(the_first_study_survives),
+        cmocka_unit_test(a_dynamic_study_survives),
         cmocka_unit_test(changes_are_written),
         cmocka_unit_test(units_stand_beside_the_numbers),
         cmocka_unit_test(every_setting_is_described_on_its_line),
