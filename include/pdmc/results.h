@@ -137,6 +137,7 @@ PDMC_API void pdmc_results_clear(pdmc_results *results);
 /// Writes a result file. It appears under its name only when it is whole: it is written to a temporary file in the same
 /// folder, synced and renamed. The file is made in memory first. As HDF5 is built without threads, one thread at a time
 /// may write or read.
+/// Where results->runtime.output is NaN, the time that the making of the file took is written in its place.
 /// @param[in] overwrite  false: an existing file is left alone and refused
 /// @return PDMC_OK, PDMC_ERR_ARG (a missing array, counts that contradict each other), PDMC_ERR_CREATE (no permission,
 /// no folder, it exists), PDMC_ERR_IO (disk full, ...), PDMC_ERR_EXTERN, or PDMC_ERR_NOMEM

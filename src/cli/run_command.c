@@ -30,11 +30,15 @@ static pdmc_status read_study(const arguments *given, pdmc_study *study)
     return status;
 }
 
-// The results are safe by now: where standard output cannot take the table, main() says so.
+// What is printed is what the file holds. The results are safe by now: where standard output cannot take the table, main()
+// says so.
 static void print_results(const pdmc_results *results, const char *path)
 {
-    const pdmc_status status = pdmc_view_table(results, stdout);
+    pdmc_results written = {0};
+    pdmc_status status = pdmc_results_read(path, &written);
+    if (status == PDMC_OK) status = pdmc_view_table(&written, stdout);
     if (status != PDMC_OK && status != PDMC_ERR_IO) fail(status);
+    pdmc_results_clear(&written);
     if (results->solver.condition > 1e13)
         fprintf(stderr, "pdmc: warning: condition number %.1e is past 1e13: take a smaller solver.shape\n",
                 results->solver.condition);

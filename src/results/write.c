@@ -4,6 +4,7 @@
 #include "results/identity.h"
 #include "results/whole_file.h"
 
+#include <math.h>
 #include <string.h>
 
 static pdmc_status describe(hid_t object, const pdmc_results *results, const pdmc_dataset *dataset)
@@ -117,12 +118,28 @@ done:
     return status;
 }
 
+/// The time that the file's making has taken can be known only when the rest of it is made.
+static pdmc_status write_output_time(hid_t file, double seconds)
+{
+    pdmc_status status = PDMC_OK;
+    const hid_t object = H5Dopen2(file, "/runtime/output", H5P_DEFAULT);
+    PDMC_H5_TRY(object, PDMC_ERR_EXTERN, "/runtime/output");
+    PDMC_H5_TRY(H5Dwrite(object, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &seconds), PDMC_ERR_EXTERN,
+                "/runtime/output");
+
+done:
+    pdmc_h5_close(object);
+    return status;
+}
+
 static pdmc_status write_everything(hid_t file, const pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
+    const double start = pdmc_seconds();
     for (size_t i = 0; i < pdmc_dataset_count; i++) PDMC_TRY(write_dataset(file, results, &pdmc_datasets[i]));
     for (size_t i = 0; i < pdmc_attribute_count; i++) PDMC_TRY(write_attribute(file, results, &pdmc_attributes[i]));
     PDMC_TRY(pdmc_identity_write(file, results));
+    if (isnan(results->runtime.output)) PDMC_TRY(write_output_time(file, pdmc_seconds() - start));
 
 done:
     return status;
