@@ -2,10 +2,12 @@
 #include "pdmc/discretisation.h"
 
 #include "kansa/method.h"
+#include "paper/method.h"
 
 pdmc_status pdmc_discretise(const pdmc_problem *problem, int threads, pdmc_discretisation *out)
 {
     *out = (pdmc_discretisation){0};
+    if (problem->kansa.crack_model == PDMC_CRACKS_PAPER) return pdmc_paper_discretise(problem, threads, out);
     return pdmc_kansa_discretise(problem, threads, out);
 }
 

@@ -6,28 +6,31 @@
 #include <math.h>
 #include <string.h>
 
-static const double tolerance = 1e-13; // of the solution's norm
 enum { MOST_DIRECTIONS = 1000 };
 
 // State of the collection; vectors are stored one after another, [count, unknowns].
 typedef struct {
     const pdmc_response_operator *operator;
-    int capacity;    // of directions, and of candidates
-    double *fresh;   // [capacity, unknowns] directions found last, times their size
-    double *found;   // [capacity, unknowns] candidates
-    double *overlap; // [capacity, capacity]
-    double *tau;     // [capacity]
-    int *pivot;      // [capacity]
+    double negligible; // size of a direction that is left out
+    int capacity;      // of directions, and of candidates
+    double *fresh;     // [capacity, unknowns] directions of the last generation, times their size
+    double *next;      // [capacity, unknowns] those of the next one, so far
+    double *found;     // [capacity, unknowns] candidates
+    double *overlap;   // [capacity, capacity]
+    double *tau;       // [capacity]
+    int *pivot;        // [capacity]
 } collection;
 
 static pdmc_status collection_create(const pdmc_response_operator *operator, int starts, collection *c)
 {
     pdmc_status status = PDMC_OK;
     const size_t n = (size_t) operator->unknowns;
-    *c = (collection){.operator= operator};
+    *c = (collection){.operator= operator, .negligible = operator->tolerance * operator->norm };
     c->capacity = operator->unknowns<MOST_DIRECTIONS ? operator->unknowns : MOST_DIRECTIONS;
     if (c->capacity < starts) c->capacity = starts;
+    if (c->capacity < operator->terms) c->capacity = operator->terms;
     PDMC_NEW(c->fresh, (size_t)c->capacity * n);
+    PDMC_NEW(c->next, (size_t)c->capacity * n);
     PDMC_NEW(c->found, (size_t)c->capacity * n);
     PDMC_NEW(c->overlap, (size_t)c->capacity * (size_t)c->capacity);
     PDMC_NEW(c->tau, c->capacity);
@@ -39,6 +42,7 @@ done:
 static void collection_clear(collection *c)
 {
     pdmc_free(c->fresh);
+    pdmc_free(c->next);
     pdmc_free(c->found);
     pdmc_free(c->overlap);
     pdmc_free(c->tau);
@@ -56,8 +60,9 @@ static void project_out(collection *c, const pdmc_response *response, int count,
                 n);
 }
 
-// Adds the directions of `count` candidates in c->found that are new, and leaves them, with their size, in c->fresh.
-static pdmc_status append(collection *c, pdmc_response *response, int count, int *added)
+// Adds the directions of `count` candidates in c->found that are new, and leaves them, with their size, in c->next behind
+// the `waiting` ones that are there.
+static pdmc_status append(collection *c, pdmc_response *response, int count, int waiting, int *added)
 {
     const int n = c->operator->unknowns, width = count < n ? count : n;
     for (int pass = 0; pass < 2; pass++) project_out(c, response, count, c->found); // twice is enough (Kahan)
@@ -68,7 +73,7 @@ static pdmc_status append(collection *c, pdmc_response *response, int count, int
     double *size = c->overlap;
     while (*added < width && response->dimension + *added < c->capacity) {
         size[*added] = fabs(c->found[(size_t)*added * (size_t)(n + 1)]);
-        if (!(size[*added] > tolerance * c->operator->norm)) break;
+        if (!(size[*added] > c->negligible)) break;
         ++*added;
     }
     if (*added == 0) return PDMC_OK;
@@ -76,29 +81,55 @@ static pdmc_status append(collection *c, pdmc_response *response, int count, int
     if (info != 0) return pdmc_raise(PDMC_ERR_EXTERN, "LAPACKE_dorgqr returned %d", info);
     const size_t values = (size_t)*added * (size_t)n;
     memcpy(&response->basis[(size_t)response->dimension * (size_t)n], c->found, values * sizeof(double));
-    memcpy(c->fresh, c->found, values * sizeof(double));
-    for (int k = 0; k < *added; k++) cblas_dscal(n, size[k], &c->fresh[(size_t)k * (size_t)n], 1);
+    double *next = &c->next[(size_t)waiting * (size_t)n];
+    memcpy(next, c->found, values * sizeof(double));
+    for (int k = 0; k < *added; k++) cblas_dscal(n, size[k], &next[(size_t)k * (size_t)n], 1);
     response->dimension += *added;
     return PDMC_OK;
 }
 
-// The images of the `count` directions in c->fresh under every operator.
-static pdmc_status extend(collection *c, pdmc_response *response, int count, int *added)
+// Appends what is new in the images of `count` directions under every operator.
+static pdmc_status append_images(collection *c, pdmc_response *response, int count, const double direction[],
+                                 int waiting, int *added)
 {
     const pdmc_response_operator *operator= c->operator;
     const size_t n = (size_t) operator->unknowns;
-    if ((size_t)count * (size_t) operator->terms>(size_t) c->capacity)
-        return pdmc_raise(PDMC_ERR_SINGULAR,
-                          "the answers to the uncertain micromodulus span more than %d directions: take a smaller "
-                          "variation",
-                          response->dimension);
     for (int q = 0; q < operator->terms; q++) {
         double *out = &c->found[(size_t)(q * count) * n];
-        const pdmc_status status = operator->apply(operator->context, q, count, c->fresh, out);
+        const pdmc_status status = operator->apply(operator->context, q, count, direction, out);
         if (status != PDMC_OK) return status;
         cblas_dscal(count * (int)n, operator->size[q], out, 1);
     }
-    return append(c, response, count * operator->terms, added);
+    return append(c, response, count * operator->terms, waiting, added);
+}
+
+static void turn_generation(collection *c)
+{
+    double *last = c->fresh;
+    c->fresh = c->next;
+    c->next = last;
+}
+
+// The next generation, from the `count` directions of the last one.
+static pdmc_status extend(collection *c, pdmc_response *response, int count, int *added)
+{
+    const int n = c->operator->unknowns, most = c->capacity / c->operator->terms; // whose images there is room for
+    *added = 0;
+    turn_generation(c);
+    for (int first = 0; first < count && response->dimension < n; first += most) {
+        const int batch = count - first < most ? count - first : most;
+        int found;
+        const pdmc_status status =
+            append_images(c, response, batch, &c->fresh[(size_t)first * (size_t)n], *added, &found);
+        if (status != PDMC_OK) return status;
+        *added += found;
+        if (response->dimension == c->capacity && c->capacity < n)
+            return pdmc_raise(PDMC_ERR_SINGULAR,
+                              "the answers to the uncertain micromodulus span more than %d directions: take a smaller "
+                              "variation",
+                              response->dimension);
+    }
+    return PDMC_OK;
 }
 
 static pdmc_status fill_images(collection *c, pdmc_response *response)
@@ -126,7 +157,7 @@ pdmc_status pdmc_response_create(const pdmc_response_operator *operator, int sta
     PDMC_TRY(collection_create(operator, starts, &c));
     PDMC_NEW(response->basis, (size_t)c.capacity * (size_t) operator->unknowns);
     memcpy(c.found, start, (size_t)starts * (size_t) operator->unknowns * sizeof * start);
-    PDMC_TRY(append(&c, response, starts, &added));
+    PDMC_TRY(append(&c, response, starts, 0, &added));
     while (added > 0 && operator->terms> 0) PDMC_TRY(extend(&c, response, added, &added));
     PDMC_TRY(fill_images(&c, response));
 done:

@@ -8,6 +8,7 @@ typedef struct {
     int unknowns, terms;
     const double *size; // [terms] size of the coefficients that are to be expected
     double norm;        // of the mean solution
+    double tolerance;   // share of the norm below which a direction is left out
     /// out = M_term v, vector by vector.
     /// @param[in]  v    [count, unknowns]
     /// @param[out] out  [count, unknowns]
@@ -19,8 +20,8 @@ typedef struct {
 ///
 /// The Neumann expansion of a sample is a combination of words M_q1 M_q2 .. x_0. The operators are nearly multiples of
 /// one another, so that the words span few directions: they are collected breadth first, each scaled by the size of its
-/// coefficients, until nothing larger than 1e-13 of the solution is new. There the expansion has the numbers that it
-/// has in full, to rounding, at a small part of the cost.
+/// coefficients, until nothing larger than the tolerance is new. There the expansion has the numbers that it has in
+/// full, to rounding, at a small part of the cost.
 typedef struct {
     int dimension;
     double *basis; // [dimension, unknowns] orthonormal rows
@@ -30,8 +31,8 @@ typedef struct {
 /// @param[in]     starts  number of vectors that the space is to hold, the mean solutions among them
 /// @param[in,out] start   [starts, unknowns] overwritten
 /// @param[out]    response  free with pdmc_response_clear(); zero on failure
-/// @return PDMC_OK, PDMC_ERR_SINGULAR where the words span more directions than there is room for, PDMC_ERR_NOMEM, or
-/// the failure of `apply`
+/// @return PDMC_OK, PDMC_ERR_SINGULAR where the words span more directions than there is room for, PDMC_ERR_NOMEM, or the
+/// failure of `apply`
 PDMC_NODISCARD pdmc_status pdmc_response_create(const pdmc_response_operator *operator, int starts, double start[],
                                                 pdmc_response *response);
 void pdmc_response_clear(pdmc_response *response);

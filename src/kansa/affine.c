@@ -121,7 +121,8 @@ static pdmc_status find_response(const pdmc_kansa *kansa, int terms, const doubl
             cblas_dscal((int)n, size[q], direction, 1);
         }
     }
-    const pdmc_response_operator operator= {kansa->unknowns, terms, size, norm, pdmc_ring_operator_apply, &operators};
+    const pdmc_response_operator operator= {kansa->unknowns,          terms,     size, norm, 1e-13,
+                                            pdmc_ring_operator_apply, &operators};
     PDMC_TRY(pdmc_response_create(&operator, count, start, &rings->response));
     PDMC_NEW(rings->coefficients, (size_t)rings->response.dimension * n);
     memcpy(rings->coefficients, rings->response.basis, (size_t)rings->response.dimension * n * sizeof(double));

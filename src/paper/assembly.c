@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/base_impl.h"
 #include "paper/disc.h"
+#include "paper/legendre.h"
 #include "paper/paper_impl.h"
 
 #include <cblas.h>
@@ -41,14 +42,6 @@ static void workspace_destroy(workspace *work)
     pdmc_free(work);
 }
 
-// P_0(s) .. P_(count - 1)(s)
-static void legendre(int count, double s, double value[])
-{
-    value[0] = 1.0;
-    if (count > 1) value[1] = s;
-    for (int p = 2; p < count; p++) value[p] = ((2 * p - 1) * s * value[p - 1] - (p - 1) * value[p - 2]) / p;
-}
-
 static void fill_weights(const pdmc_paper *paper, workspace *work)
 {
     const double horizon = work->disc.horizon;
@@ -58,7 +51,7 @@ static void fill_weights(const pdmc_paper *paper, workspace *work)
         const pdmc_paper_bond *bond = &work->disc.bond[b];
         const double *e = bond->direction, tensor[3] = {e[0] * e[0], e[0] * e[1], e[1] * e[1]};
         double polynomial[PDMC_PAPER_TERMS];
-        legendre(paper->terms, 2.0 * bond->length / horizon - 1.0, polynomial);
+        pdmc_paper_legendre(paper->terms, 2.0 * bond->length / horizon - 1.0, polynomial);
         for (int p = 0; p < paper->terms; p++)
             for (int k = 0; k < 3; k++)
                 work->weight[(3 * p + k) * bonds + b] = c * bond->weight * polynomial[p] * tensor[k];
@@ -96,7 +89,8 @@ static double force_density(const pdmc_problem *problem, const double x[2], int 
 {
     double sum = 0.0;
     for (int l = 0; l < problem->load_count; l++)
-        if (pdmc_paper_on_side(&problem->plate, problem->loads[l].side, x)) sum += problem->loads[l].traction[component];
+        if (pdmc_paper_on_side(&problem->plate, problem->loads[l].side, x))
+            sum += problem->loads[l].traction[component];
     return sum / problem->kansa.edge_layer;
 }
 

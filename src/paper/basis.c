@@ -48,7 +48,8 @@ static double offset(const pdmc_paper_tip_frame *tip, const double x[2])
 }
 
 // t at x; behind the tip on its axis, where t jumps, the anchor's side decides, and `side` is 0 where the anchor has none.
-static double polar_angle(const pdmc_paper_tip_frame *tip, const double x[2], const double anchor[2], double r, int *side)
+static double polar_angle(const pdmc_paper_tip_frame *tip, const double x[2], const double anchor[2], double r,
+                          int *side)
 {
     const double pi = 3.14159265358979323846, tolerance = 1e-12 * r;
     const double along = tip->cosine * (x[0] - tip->position[0]) + tip->sine * (x[1] - tip->position[1]);
@@ -64,7 +65,8 @@ static void tip_values(const pdmc_paper_tip_frame *tip, double scale, const doub
 {
     int side;
     const double r = hypot(x[0] - tip->position[0], x[1] - tip->position[1]);
-    const double t = polar_angle(tip, x, anchor, r, &side), root = side ? sqrt(r / scale) : 0.0; // the mean of both sides
+    const double t = polar_angle(tip, x, anchor, r, &side),
+                 root = side ? sqrt(r / scale) : 0.0; // the mean of both sides
     value[0] = root * cos(0.5 * t);
     value[1] = root * sin(0.5 * t);
     value[2] = value[1] * sin(t);
@@ -79,7 +81,8 @@ void pdmc_paper_q_values(const pdmc_paper_basis *basis, const double x[2], const
     value[2] = ys;
     value[3] = xs * ys;
     for (int t = 0; t < basis->tip_count; t++)
-        tip_values(&basis->tip[t], basis->scale, x, anchor, &value[PDMC_PAPER_MONOMIALS + PDMC_PAPER_TIP_FUNCTIONS * t]);
+        tip_values(&basis->tip[t], basis->scale, x, anchor,
+                   &value[PDMC_PAPER_MONOMIALS + PDMC_PAPER_TIP_FUNCTIONS * t]);
 }
 
 void pdmc_paper_values(const pdmc_paper_basis *basis, const double x[2], const double anchor[2], double value[])

@@ -72,8 +72,7 @@ done:
 pdmc_status pdmc_paper_solve(const pdmc_paper *paper, int count, double v[])
 {
     const int n = paper->unknowns;
-    const int info =
-        LAPACKE_dgetrs(LAPACK_COL_MAJOR, 'T', n, count, paper->factor, n, paper->pivot, v, n);
+    const int info = LAPACKE_dgetrs(LAPACK_COL_MAJOR, 'T', n, count, paper->factor, n, paper->pivot, v, n);
     if (info != 0) return pdmc_raise(PDMC_ERR_EXTERN, "LAPACKE_dgetrs returned %d", info);
     for (int s = 0; s < count; s++)
         for (int j = 0; j < n; j++) v[(size_t)s * (size_t)n + (size_t)j] *= paper->scale[j];

@@ -25,13 +25,13 @@ typedef struct {
     int motions;
     double motion[3][3];
     int unknowns, rows_of_nodes; // rows_of_nodes = 2 nodes
-    int terms;          // PDMC_PAPER_TERMS with a random c(r), else 1
-    double *matrix;     // [unknowns, unknowns] of the mean
-    double *term;       // [terms, rows_of_nodes, unknowns] K_p: rows weighted by P_p(2 r / horizon - 1); NULL if c is certain
-    double *factor;     // [unknowns, unknowns] LU of the transposed matrix with scaled rows, column-major
-    int *pivot;         // [unknowns]
-    double *scale;      // [unknowns] of the unknowns in the factor
-    double *load[2];    // [unknowns] F_0 held displacements, F_1 loads
+    int terms;                   // PDMC_PAPER_TERMS with a random c(r), else 1
+    double *matrix;              // [unknowns, unknowns] of the mean
+    double *term; // [terms, rows_of_nodes, unknowns] K_p: rows weighted by P_p(2 r / horizon - 1); NULL if c is certain
+    double *factor;       // [unknowns, unknowns] LU of the transposed matrix with scaled rows, column-major
+    int *pivot;           // [unknowns]
+    double *scale;        // [unknowns] of the unknowns in the factor
+    double *load[2];      // [unknowns] F_0 held displacements, F_1 loads
     double *coefficients; // [unknowns] at the mean
     double condition, residual;
     double assembly_seconds, factorisation_seconds;
@@ -69,3 +69,9 @@ PDMC_NODISCARD pdmc_status pdmc_paper_tip(const pdmc_paper *paper, int tip, pdmc
 /// The nodes and the faces of the cracks with their mean displacement.
 /// @param[out] field  free its arrays with pdmc_free or by pdmc_results_clear()
 PDMC_NODISCARD pdmc_status pdmc_paper_field(const pdmc_paper *paper, pdmc_field *field);
+
+/// The affine model of the problem's uncertain quantities: c(r) = c_0 (1 + sum_p xi_p P_p(2 r / horizon - 1)), xi_p the
+/// Legendre coefficients of the deviation in its bins. Of many bins only what PDMC_PAPER_TERMS polynomials hold is seen.
+/// @param[in]  paper  must outlive the model
+/// @param[out] model  free with pdmc_affine_clear(); zero on failure
+PDMC_NODISCARD pdmc_status pdmc_paper_affine(const pdmc_paper *paper, pdmc_affine *model);

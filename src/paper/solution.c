@@ -71,8 +71,8 @@ pdmc_status pdmc_paper_stress_intensity_rows(const pdmc_paper *paper, int tip, d
     intercept_weights(r, weight);
     for (int i = 0; i < OPENINGS; i++) {
         jump_values(basis, crack, tip % 2 ? 1.0 - 0.5 * r[i] : 0.5 * r[i], right, jump);
-        const double factor = weight[i] * pdmc_plane_modulus(&paper->problem->material) / 8.0 *
-                              sqrt(2.0 * pi / (0.5 * length * r[i]));
+        const double factor =
+            weight[i] * pdmc_plane_modulus(&paper->problem->material) / 8.0 * sqrt(2.0 * pi / (0.5 * length * r[i]));
         cblas_daxpy(scalars, -factor * t[1], jump, 1, row_1, 1);
         cblas_daxpy(scalars, factor * t[0], jump, 1, row_1 + scalars, 1);
         cblas_daxpy(scalars, factor * t[0], jump, 1, row_2, 1);

@@ -21,7 +21,7 @@ static void make(double size, pdmc_response *response)
 {
     const double sizes[2] = {size, size};
     double start[N] = {1.0};
-    const pdmc_response_operator operator= {N, 2, sizes, 1.0, apply, NULL};
+    const pdmc_response_operator operator= {N, 2, sizes, 1.0, 1e-13, apply, NULL};
     CHECK_OK(pdmc_response_create(&operator, 1, start, response));
 }
 
@@ -79,7 +79,7 @@ static void without_operators_it_is_the_span_of_the_start(void **state)
     start[0] = 1.0;
     start[N] = 2.0;
     start[2 * N + 5] = 1e-3;
-    const pdmc_response_operator operator= {N, 0, NULL, 1.0, apply, NULL};
+    const pdmc_response_operator operator= {N, 0, NULL, 1.0, 1e-13, apply, NULL};
     pdmc_response response;
     CHECK_OK(pdmc_response_create(&operator, 3, start, &response));
     assert_int_equal(response.dimension, 2);
@@ -90,7 +90,7 @@ static pdmc_status create_again(pdmc_response *response)
 {
     const double sizes[2] = {0.1, 0.1};
     double start[N] = {1.0};
-    const pdmc_response_operator operator= {N, 2, sizes, 1.0, apply, NULL};
+    const pdmc_response_operator operator= {N, 2, sizes, 1.0, 1e-13, apply, NULL};
     return pdmc_response_create(&operator, 1, start, response);
 }
 

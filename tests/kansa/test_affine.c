@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kansa/plate.h"
+#include "kansa/samples.h"
 
 #include "pdmc/fracture.h"
-#include "stochastic/block.h"
 
-#include <gsl/gsl_sort.h>
 #include <stdlib.h>
 
 static const double pi = 3.14159265358979323846;
@@ -34,21 +32,6 @@ static double energy_by_definition(const pdmc_kansa *kansa, const pdmc_problem *
     }
     pdmc_ring_rule_clear(&rings);
     return 0.5 * pdmc_micromodulus(&problem->material, problem->energy.horizon) * sum;
-}
-
-// Energies of the mean at every direction, [tips, angles].
-static void nominal(const pdmc_problem *problem, const pdmc_affine *model, pdmc_bonds bonds, double energy[])
-{
-    pdmc_block *block = NULL;
-    CHECK_OK(pdmc_block_create(problem, model, &block));
-    pdmc_block_draw(block, 0, 0);
-    pdmc_problem certain = *problem;
-    certain.sampling.inverse = PDMC_INVERSE_NEUMANN;
-    block->problem = &certain;
-    CHECK_OK(pdmc_block_solve(block, 0));
-    pdmc_block_energies(block, bonds);
-    for (int d = 0; d < model->tips * model->angles; d++) energy[d] = block->energy[d * PDMC_BLOCK];
-    pdmc_block_destroy(&block);
 }
 
 // The factored rows against the definition, through displacements of the collocation itself; and the symmetries of a
@@ -111,41 +94,9 @@ static void the_energy_has_its_local_limit(void **state)
     CHECK_NEAR(log10(error[0] / error[1]), 1.0, 0.15); // order 1/2
 }
 
-// Solves a block of samples and stores their energies, [64, 16], and K_I of the right tip, [64].
-static void solve_samples(plate *p, const pdmc_affine *model, pdmc_inverse inverse, int order, int count,
-                          double energy[], double K[])
-{
-    pdmc_block *block = NULL;
-    p->problem.sampling.inverse = inverse;
-    p->problem.sampling.order = order;
-    CHECK_OK(pdmc_block_create(&p->problem, model, &block));
-    pdmc_block_draw(block, 0, count);
-    CHECK_OK(pdmc_block_solve(block, count));
-    pdmc_block_energies(block, PDMC_BONDS_ALL);
-    for (int s = 0; s < count; s++) {
-        assert_int_equal(block->failure[s], PDMC_SAMPLE_OK);
-        for (int d = 0; d < 16; d++) energy[16 * s + d] = block->energy[d * PDMC_BLOCK + s];
-        K[s] = block->draw[s].effective_modulus * block->intensity[2 * PDMC_BLOCK + s];
-    }
-    pdmc_block_destroy(&block);
-}
-
-static double largest_error(const double energy[], const double exact[], int count, double *median)
-{
-    double error[64];
-    for (int s = 0; s < count; s++) {
-        error[s] = 0.0;
-        for (int d = 0; d < 16; d++)
-            if (exact[16 * s + d] > 0.0) error[s] = fmax(error[s], fabs(energy[16 * s + d] / exact[16 * s + d] - 1.0));
-    }
-    gsl_sort(error, 1, (size_t)count);
-    *median = error[count / 2];
-    return error[count - 1];
-}
-
-// The expansion against direct least-squares solves of the same samples. The expansion's limit satisfies Q^T (F - A x)
-// = 0, the direct solution A^T (F - A x) = 0; with a residual of 1e-4 at the mean they differ by some 1e-5, where the
-// error stops. K of a traction problem does not depend on c(r).
+// The expansion against direct least-squares solves of the same samples. The expansion's limit satisfies Q^T (F - A x) = 0,
+// the direct solution A^T (F - A x) = 0; with a residual of 1e-4 at the mean they differ by some 1e-5, where the error
+// stops. K of a traction problem does not depend on c(r).
 static void the_expansion_converges_to_the_direct_solution(void **state)
 {
     (void)state;
@@ -209,8 +160,8 @@ static void the_response_space_holds_the_samples(void **state)
     assert_true(largest < 1e-9); // 1e-13 of the solution, felt through a stretch of 1e-3 to 1e-4 of it
 }
 
-// A micromodulus that is larger everywhere is a larger E. The rows that do not scale, of gauge and side conditions,
-// weigh less then, which moves the least squares by a share of the mean residual of 2e-4.
+// A micromodulus that is larger everywhere is a larger E. The rows that do not scale, of gauge and side conditions, weigh
+// less then, which moves the least squares by a share of the mean residual of 2e-4.
 static void a_uniform_deviation_scales_the_modulus(void **state)
 {
     (void)state;
@@ -238,8 +189,8 @@ static void a_uniform_deviation_scales_the_modulus(void **state)
     pdmc_kansa_destroy(&kansa);
 }
 
-// Closed forms of section 6.3's scatter: E_eff has the variance of sum_b w_b Z_b with w_b the bin's share of int r^2
-// dr; G_E at fixed load is proportional to sum_b h_b c_b / E_eff^2 with h_b about its share of int r^3 dr.
+// Closed forms of section 6.3's scatter: E_eff has the variance of sum_b w_b Z_b with w_b the bin's share of int r^2 dr;
+// G_E at fixed load is proportional to sum_b h_b c_b / E_eff^2 with h_b about its share of int r^3 dr.
 static void the_scatter_follows_the_bins(void **state)
 {
     (void)state;

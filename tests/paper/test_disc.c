@@ -111,7 +111,8 @@ static void closed_forms_of_whole_discs(void **state)
     }
     const double scale = pow(horizon, 3);
     for (int q = 0; q < 4; q++)
-        for (int k = 0; k < 3; k++) CHECK_NEAR(K[q][k], q == 3 && k == 1 ? 0.25 * pi * scale / 3.0 : 0.0, 1e-13 * scale);
+        for (int k = 0; k < 3; k++)
+            CHECK_NEAR(K[q][k], q == 3 && k == 1 ? 0.25 * pi * scale / 3.0 : 0.0, 1e-13 * scale);
     pdmc_paper_disc_clear(&disc);
 }
 

@@ -188,8 +188,10 @@ static void the_error_of_K_does_not_fall(void **state)
     reference_solve(&exact, 5.0, 0.5, 0.0);
     const double horizons[3] = {0.1, 0.5, 1.0};
     double least = INFINITY;
-    printf("  central crack a = 0.5, W = 5, psi = 0.16 h, e = delta / 5; error of K_I in %% (elongation, 1.06 is right)\n");
-    printf("  nodes | delta = 0.1                 | 0.5                         | 1.0                         | analytic\n");
+    printf("  central crack a = 0.5, W = 5, psi = 0.16 h, e = delta / 5; error of K_I in %% (elongation, 1.06 is "
+           "right)\n");
+    printf("  nodes | delta = 0.1                 | 0.5                         | 1.0                         | "
+           "analytic\n");
     printf("        | tip functions  none         | tip functions  none         | tip functions  none         |\n");
     for (int cells = 8; cells <= 24; cells += 4) {
         printf("  %5d |", (cells + 1) * (cells + 1));
