@@ -3,11 +3,13 @@
 
 #include "kansa/method.h"
 #include "paper/method.h"
+#include "visible/method.h"
 
 pdmc_status pdmc_discretise(const pdmc_problem *problem, int threads, pdmc_discretisation *out)
 {
     *out = (pdmc_discretisation){0};
     if (problem->kansa.crack_model == PDMC_CRACKS_PAPER) return pdmc_paper_discretise(problem, threads, out);
+    if (problem->kansa.crack_model == PDMC_CRACKS_VISIBLE) return pdmc_visible_discretise(problem, threads, out);
     return pdmc_kansa_discretise(problem, threads, out);
 }
 

@@ -40,3 +40,14 @@ void pdmc_visible_runtime(const pdmc_visible *visible, double *assembly, double 
 PDMC_NODISCARD pdmc_status pdmc_visible_displacement(const pdmc_visible *visible, const double x[2],
                                                      const double anchor[2], double u[2]);
 PDMC_NODISCARD pdmc_status pdmc_visible_field(const pdmc_visible *visible, pdmc_field *field);
+
+/// Name, position, direction, K_I and K_II of a tip at the mean; T is not known, NaN. The stress intensity factors are
+/// those of the field beyond the horizon, by the interaction integral; see tip.h.
+/// @param[in] tip  2 * crack for "from", 2 * crack + 1 for "to"
+PDMC_NODISCARD pdmc_status pdmc_visible_tip(const pdmc_visible *visible, int tip, pdmc_tip *out);
+
+/// The affine model of the problem's uncertain quantities. c(r) = c_0 (1 + eta(r)) with its deviation eta expanded in
+/// Legendre polynomials of r / delta; in coordinates of the space in which the answers lie.
+/// @param[in]  visible  must outlive the model
+/// @param[out] model    free with pdmc_affine_clear(); zero on failure
+PDMC_NODISCARD pdmc_status pdmc_visible_affine(const pdmc_visible *visible, pdmc_affine *model);

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pdmc/affine.h"
+
+#include "base/base_impl.h"
+#include "discretisation/crossings.h"
+#include "discretisation/response.h"
+#include "visible/rows.h"
+#include "visible/system.h"
+#include "visible/tip.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <string.h>
+
+// Of the solution's norm: energies to 1e-6. What the expansion of c(r) leaves out is larger, and so would be the space.
+static const double tolerance = 1e-6;
+
+// The model's coordinates are those of the response space: u = basis^T y.
+typedef struct {
+    const pdmc_visible *visible;
+    pdmc_response response;
+    double *field; // [unknowns of the nodes, dimension] the displacements of each coordinate
+} response_model;
+
+static void destroy_model(void *discretisation)
+{
+    response_model *made = discretisation;
+    pdmc_response_clear(&made->response);
+    pdmc_free(made->field);
+    pdmc_free(made);
+}
+
+static pdmc_status perturb(const pdmc_affine *model, const double xi[], const double x[], double y[])
+{
+    const response_model *made = model->discretisation;
+    return pdmc_response_perturb(&made->response, model->terms, PDMC_BLOCK, xi, x, y);
+}
+
+static void project(const response_model *made, const double u[], double y[])
+{
+    const int n = made->visible->unknowns;
+    cblas_dgemv(CblasRowMajor, CblasNoTrans, made->response.dimension, n, 1.0, made->response.basis, n, u, 1, 0.0, y,
+                1);
+}
+
+static pdmc_status solve(const pdmc_affine *model, const double xi[], const double scale[2], double x[])
+{
+    pdmc_status status = PDMC_OK;
+    const response_model *made = model->discretisation;
+    const pdmc_visible *visible = made->visible;
+    pdmc_factor factor = {0};
+    double *load = NULL;
+    PDMC_NEW(load, visible->unknowns);
+    for (int l = 0; l < 2; l++) cblas_daxpy(visible->unknowns, scale[l], visible->load[l], 1, load, 1);
+    PDMC_TRY(pdmc_visible_factor(visible, xi, &factor));
+    PDMC_TRY(pdmc_visible_solve(visible, &factor, load, load));
+    project(made, load, x);
+done:
+    pdmc_free(load);
+    pdmc_factor_clear(&factor);
+    return status;
+}
+
+// out = K_0^-1 K_q v, vector by vector.
+static pdmc_status apply(void *context, int q, int count, const double v[], double out[])
+{
+    const pdmc_visible *visible = context;
+    const size_t n = (size_t)visible->unknowns;
+    pdmc_status status = PDMC_OK;
+#pragma omp parallel for schedule(dynamic) num_threads(visible->threads)
+    for (int k = 0; k < count; k++) {
+        double *image = &out[(size_t)k * n];
+        pdmc_visible_product(visible, q + 1, &v[(size_t)k * n], image);
+        const pdmc_status mine = pdmc_visible_solve(visible, &visible->factor, image, image);
+        if (mine != PDMC_OK) {
+#pragma omp critical(pdmc_visible_affine)
+            status = mine;
+        }
+    }
+    return status;
+}
+
+// values[p] = P_p(x), p <= degree
+static void legendre(int degree, double x, double values[])
+{
+    values[0] = 1.0;
+    values[1] = x;
+    for (int p = 2; p <= degree; p++) values[p] = ((2 * p - 1) * x * values[p - 1] - (p - 1) * values[p - 2]) / p;
+}
+
+// The coefficients of P_p(2 s - 1) in the function that is 1 in a bin of s = r / delta and 0 elsewhere,
+//     (2 p + 1) int_bin P_p(2 s - 1) ds = [P_(p + 1) - P_(p - 1)] / 2 between the bin's ends.
+static void bin_coefficients(int bins, int bin, double coefficient[PDMC_VISIBLE_DEGREE + 1])
+{
+    double low[PDMC_VISIBLE_DEGREE + 2], high[PDMC_VISIBLE_DEGREE + 2];
+    legendre(PDMC_VISIBLE_DEGREE + 1, 2.0 * bin / bins - 1.0, low);
+    legendre(PDMC_VISIBLE_DEGREE + 1, 2.0 * (bin + 1) / bins - 1.0, high);
+    coefficient[0] = 1.0 / bins;
+    for (int p = 1; p <= PDMC_VISIBLE_DEGREE; p++)
+        coefficient[p] = 0.5 * (high[p + 1] - low[p + 1] - high[p - 1] + low[p - 1]);
+}
+
+static pdmc_status fill_weights(pdmc_affine *model)
+{
+    pdmc_status status = PDMC_OK;
+    PDMC_NEW(model->term_weight, model->bins * model->terms);
+    PDMC_NEW(model->modulus_weight, model->bins);
+    for (int b = 0; b < model->bins; b++) {
+        double coefficient[PDMC_VISIBLE_DEGREE + 1];
+        bin_coefficients(model->bins, b, coefficient);
+        for (int p = 0; p <= PDMC_VISIBLE_DEGREE; p++) {
+            if (model->terms > 0) model->term_weight[b * model->terms + p] = coefficient[p];
+            model->modulus_weight[b] += coefficient[p] * pdmc_visible_share(p);
+        }
+    }
+done:
+    return status;
+}
+
+// Five standard deviations of each coefficient.
+static void expected_sizes(const pdmc_affine *model, double variation, double size[PDMC_VISIBLE_DEGREE + 1])
+{
+    for (int p = 0; p < model->terms; p++)
+        size[p] = 5.0 * variation * cblas_dnrm2(model->bins, &model->term_weight[p], model->terms);
+}
+
+static pdmc_status find_response(const pdmc_visible *visible, const pdmc_affine *model, const double size[],
+                                 response_model *made)
+{
+    pdmc_status status = PDMC_OK;
+    const int n = visible->unknowns;
+    double *start = NULL;
+    PDMC_NEW(start, 2 * n);
+    for (int l = 0; l < 2; l++) memcpy(&start[l * n], visible->solution[l], (size_t)n * sizeof *start);
+    const double norm = cblas_dnrm2(n, visible->solution[0], 1) + cblas_dnrm2(n, visible->solution[1], 1);
+    const pdmc_response_operator operator= {n, model->terms, size, norm, apply, (void *)visible, tolerance};
+    PDMC_TRY(pdmc_response_create(&operator, 2, start, &made->response));
+    const int r = made->response.dimension;
+    PDMC_NEW(made->field, (size_t)r * (size_t)n);
+    for (int k = 0; k < r; k++) cblas_dcopy(n, &made->response.basis[(size_t)k * (size_t)n], 1, &made->field[k], r);
+done:
+    pdmc_free(start);
+    return status;
+}
+
+static pdmc_status create_model(const pdmc_visible *visible, pdmc_affine *model)
+{
+    static const pdmc_affine_verbs verbs = {perturb, solve, destroy_model};
+    pdmc_status status = PDMC_OK;
+    const pdmc_uncertainty *noise = pdmc_problem_uncertainty(visible->problem, PDMC_QUANTITY_MICROMODULUS);
+    double size[PDMC_VISIBLE_DEGREE + 1];
+    response_model *made = NULL;
+    PDMC_NEW(made, 1);
+    model->discretisation = made;
+    model->verbs = &verbs;
+    made->visible = visible;
+    model->bins = noise ? noise->bins : 1;
+    model->terms = visible->terms;
+    PDMC_TRY(fill_weights(model));
+    expected_sizes(model, noise ? noise->variation : 0.0, size);
+    PDMC_TRY(find_response(visible, model, size, made));
+    model->unknowns = made->response.dimension;
+    for (int l = 0; l < 2; l++) {
+        PDMC_NEW(model->solution[l], model->unknowns);
+        project(made, visible->solution[l], model->solution[l]);
+    }
+done:
+    return status;
+}
+
+static pdmc_status fill_stress_intensity(const pdmc_visible *visible, pdmc_affine *model)
+{
+    pdmc_status status = PDMC_OK;
+    const response_model *made = model->discretisation;
+    const int n = visible->unknowns;
+    double *row = NULL;
+    PDMC_NEW(model->stress_intensity, 2 * model->tips * model->unknowns);
+    for (int t = 0; t < model->tips; t++) {
+        pdmc_free(row);
+        PDMC_NEW(row, 2 * n);
+        PDMC_TRY(pdmc_visible_stress_intensity_rows(visible, visible->problem->energy.tips[t], row, row + n));
+        for (int k = 0; k < 2; k++)
+            project(made, row + k * n, &model->stress_intensity[(size_t)(2 * t + k) * (size_t)model->unknowns]);
+    }
+done:
+    pdmc_free(row);
+    return status;
+}
+
+static pdmc_status open_rows(const void *method, void **context)
+{
+    *context = (void *)method; // needs no scratch
+    return PDMC_OK;
+}
+
+static void close_rows(void *context)
+{
+    (void)context;
+}
+
+static void displacement_rows(void *context, const double x[2], double row_u[], double row_v[])
+{
+    const response_model *made = context;
+    const pdmc_visible *visible = made->visible;
+    const int r = made->response.dimension;
+    const pdmc_view view = {{x[0], x[1]}, -1, 0};
+    const pdmc_stencil *stencil = &visible->stencils[pdmc_stencil_owner(&visible->field, &view)];
+    double weight[PDMC_STENCIL_NODES];
+    pdmc_stencil_evaluate(stencil, x, weight);
+    memset(row_u, 0, (size_t)r * sizeof *row_u);
+    memset(row_v, 0, (size_t)r * sizeof *row_v);
+    for (int k = 0; k < stencil->count; k++) {
+        const double *field = &made->field[(size_t)(2 * stencil->node[k]) * (size_t)r];
+        cblas_daxpy(r, weight[k], field, 1, row_u, 1);
+        cblas_daxpy(r, weight[k], field + r, 1, row_v, 1);
+    }
+}
+
+// The rows are made in the model's coordinates, for which only the nodes of one stencil are needed.
+static pdmc_status fill_crossings(const pdmc_visible *visible, pdmc_affine *model)
+{
+    pdmc_status status = PDMC_OK;
+    const int r = model->unknowns;
+    const pdmc_displacement_functional displacement = {r, model->discretisation, open_rows, displacement_rows,
+                                                       close_rows};
+    double *identity = NULL;
+    PDMC_NEW(identity, r * r);
+    for (int k = 0; k < r; k++) identity[k * r + k] = 1.0;
+    PDMC_TRY(pdmc_affine_fill_crossings(visible->problem, &displacement, identity, visible->threads, model));
+done:
+    pdmc_free(identity);
+    return status;
+}
+
+pdmc_status pdmc_visible_affine(const pdmc_visible *visible, pdmc_affine *model)
+{
+    pdmc_status status = PDMC_OK;
+    const double start = pdmc_seconds();
+    const pdmc_energy_request *energy = &visible->problem->energy;
+    *model = (pdmc_affine){.tips = energy->tip_count, .angles = energy->angles};
+    PDMC_TRY(create_model(visible, model));
+    PDMC_TRY(fill_stress_intensity(visible, model));
+    const double made = pdmc_seconds();
+    PDMC_TRY(fill_crossings(visible, model));
+    model->operator_seconds = made - start;
+    model->energy_seconds = pdmc_seconds() - made;
+done:
+    if (status != PDMC_OK) pdmc_affine_clear(model);
+    return status;
+}
