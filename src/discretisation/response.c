@@ -6,7 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-static const double usual_tolerance = 1e-13;
 enum { MOST_DIRECTIONS = 1000 };
 
 // State of the collection; vectors are stored one after another, [count, unknowns].
@@ -71,7 +70,6 @@ static pdmc_status append(collection *c, pdmc_response *response, int count, int
     int info = LAPACKE_dgeqp3(LAPACK_COL_MAJOR, n, count, c->found, n, c->pivot, c->tau);
     if (info != 0) return pdmc_raise(PDMC_ERR_EXTERN, "LAPACKE_dgeqp3 returned %d", info);
     *added = 0;
-    const double tolerance = c->operator->tolerance > 0.0 ? c->operator->tolerance : usual_tolerance;
     double *size = c->overlap;
     while (*added < width && response->dimension + *added < c->capacity) {
         size[*added] = fabs(c->found[(size_t)*added * (size_t)(n + 1)]);

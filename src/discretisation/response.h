@@ -14,7 +14,6 @@ typedef struct {
     /// @param[out] out  [count, unknowns]
     pdmc_status (*apply)(void *context, int term, int count, const double v[], double out[]);
     void *context;
-    double tolerance; // of the solution's norm, below which a direction is not kept; 0 for 1e-13
 } pdmc_response_operator;
 
 /// The space in which the answers to every sample lie.
@@ -23,8 +22,6 @@ typedef struct {
 /// one another, so that the words span few directions: they are collected breadth first, each scaled by the size of its
 /// coefficients, until nothing larger than the tolerance is new. There the expansion has the numbers that it has in
 /// full, to rounding, at a small part of the cost.
-/// coefficients, until nothing larger than the tolerance is new. There the expansion has the numbers that it
-/// has in full, to rounding, at a small part of the cost.
 typedef struct {
     int dimension;
     double *basis; // [dimension, unknowns] orthonormal rows

@@ -133,7 +133,7 @@ static pdmc_status find_response(const pdmc_visible *visible, const pdmc_affine 
     PDMC_NEW(start, 2 * n);
     for (int l = 0; l < 2; l++) memcpy(&start[l * n], visible->solution[l], (size_t)n * sizeof *start);
     const double norm = cblas_dnrm2(n, visible->solution[0], 1) + cblas_dnrm2(n, visible->solution[1], 1);
-    const pdmc_response_operator operator= {n, model->terms, size, norm, apply, (void *)visible, tolerance};
+    const pdmc_response_operator operator= {n, model->terms, size, norm, tolerance, apply, (void *)visible};
     PDMC_TRY(pdmc_response_create(&operator, 2, start, &made->response));
     const int r = made->response.dimension;
     PDMC_NEW(made->field, (size_t)r * (size_t)n);
