@@ -59,7 +59,9 @@ typedef struct {
 
 /// How the collocation treats cracks: analytic fields (the local limit), stencils over visible nodes with bonds that
 /// are really cut, or the paper's own recipe.
-typedef enum { PDMC_CRACKS_ANALYTIC, PDMC_CRACKS_VISIBLE, PDMC_CRACKS_PAPER } pdmc_crack_model;
+typedef enum { PDMC_CRACKS_ANALYTIC, PDMC_CRACKS_PAPER, PDMC_CRACKS_VISIBLE } pdmc_crack_model;
+
+typedef enum { PDMC_OFF, PDMC_ON } pdmc_switch;
 
 /// The radial function of the stencils over visible nodes: an inverse multiquadric, or r^3.
 typedef enum { PDMC_STENCIL_IMQ, PDMC_STENCIL_POLYHARMONIC } pdmc_stencil_kind;
@@ -73,7 +75,7 @@ typedef struct {
     int polynomial_degree; // of the appended monomials
     int crack_orders;      // M, orders w^1 .. w^M of the analytic crack fields
     int radial_points;     // rings on which the operator is sampled for a random c(r)
-    bool tip_functions;    // of the paper's crack model: eq. 38 at every tip
+    pdmc_switch tip_functions; // of the paper's crack model: eq. 38 at every tip
     double edge_layer;     // of the paper's crack model: e, the thickness of the layer that loads act on, length
     int refinement;        // nodes a horizon near the cracks, of the visible crack model
     pdmc_stencil_kind stencil; // ... and the radial function of its stencils

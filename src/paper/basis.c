@@ -18,7 +18,7 @@ pdmc_status pdmc_paper_basis_create(const pdmc_problem *problem, pdmc_paper_basi
     pdmc_status status = PDMC_OK;
     *basis = (pdmc_paper_basis){.problem = problem};
     basis->scale = 0.5 * fmin(problem->plate.width, problem->plate.height);
-    if (problem->kansa.tip_functions) basis->tip_count = 2 * problem->crack_count;
+    if (problem->kansa.tip_functions == PDMC_ON) basis->tip_count = 2 * problem->crack_count;
     PDMC_TRY(pdmc_paper_nodes_create(problem, &basis->nodes));
     PDMC_NEW(basis->tip, basis->tip_count);
     for (int t = 0; t < basis->tip_count; t++) fill_tip(&problem->cracks[t / 2], t % 2, &basis->tip[t]);

@@ -33,7 +33,13 @@ double pdmc_study_default_horizon(const pdmc_problem *problem)
 
 double pdmc_study_default_shape(const pdmc_problem *problem)
 {
-    return 6.0 * problem->kansa.spacing;
+    // The paper's figure B.2 has psi = 0.16 on an element of side 1; wider functions that end at a crack ruin its solution.
+    return (problem->kansa.crack_model == PDMC_CRACKS_PAPER ? 0.16 : 6.0) * problem->kansa.spacing;
+}
+
+double pdmc_study_default_edge_layer(const pdmc_problem *problem)
+{
+    return problem->kansa.horizon / 5.0;
 }
 
 double pdmc_study_default_step(const pdmc_problem *problem)

@@ -55,6 +55,7 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define FACES CHOICES("none", "left", "right")
 #define QUANTITIES CHOICES("micromodulus", "load")
 #define DISTRIBUTIONS CHOICES("normal", "lognormal")
+#define SWITCH CHOICES("off", "on")
 #define INVERSES CHOICES("direct", "neumann")
 #define BONDS CHOICES("all", "tensile")
 #define MEASURES CHOICES("bond", "griffith")
@@ -104,8 +105,8 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_SOLVER, "method", KIND_CHOICE, .offset = NOT_STORED, .choices = CHOICES("kansa"),
      .planned = CHOICES("bond"), .fallback = "kansa", .doc = "least-squares collocation"},
     {SECTION_SOLVER, "crack_model", KIND_CHOICE, .offset = IN_PROBLEM(kansa.crack_model),
-     .choices = CHOICES("analytic"),
-     .planned = CHOICES("paper", "visible"), .fallback = "analytic", .doc = "analytic crack fields, the local limit"},
+     .choices = CHOICES("analytic", "paper"), .planned = CHOICES("visible"), .fallback = "analytic",
+     .doc = "analytic crack fields, the local limit; or the recipe of Evangelatos & Spanos, which does not converge"},
     {SECTION_SOLVER, "spacing", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(kansa.spacing),
      .derive = pdmc_study_default_spacing, .fallback = "min(width, height) / 20",
      .doc = "h of the collocation nodes; unknowns grow as 1/h^2, cost as 1/h^6"},
@@ -113,13 +114,18 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .derive = pdmc_study_default_horizon, .fallback = "min(a / 5, width / 50, height / 50)",
      .doc = "length of the longest bond; a: half of the shortest crack"},
     {SECTION_SOLVER, "shape", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(kansa.shape),
-     .derive = pdmc_study_default_shape, .fallback = "6 spacing", .doc = "psi of the inverse multiquadric"},
+     .derive = pdmc_study_default_shape, .fallback = "6 spacing", .doc = "psi of the inverse multiquadric; 0.16 spacing for the paper's cracks"},
     {SECTION_SOLVER, "polynomial_degree", KIND_INT, .range = FROM_TO(0, 6),
      .offset = IN_PROBLEM(kansa.polynomial_degree), .fallback = "3", .doc = "of the appended monomials"},
     {SECTION_SOLVER, "crack_orders", KIND_INT, .range = FROM_TO(1, 20), .offset = IN_PROBLEM(kansa.crack_orders),
      .fallback = "6", .doc = "orders of the analytic crack fields"},
     {SECTION_SOLVER, "radial_points", KIND_INT, .range = FROM_TO(3, 12), .offset = IN_PROBLEM(kansa.radial_points),
      .fallback = "6", .doc = "rings on which the operator is sampled for a random c(r)"},
+    {SECTION_SOLVER, "tip_functions", KIND_CHOICE, .offset = IN_PROBLEM(kansa.tip_functions), .choices = SWITCH,
+     .fallback = "on", .doc = "of the paper's cracks: the four functions of eq. 38 at every tip"},
+    {SECTION_SOLVER, "edge_layer", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(kansa.edge_layer),
+     .derive = pdmc_study_default_edge_layer, .fallback = "horizon / 5",
+     .doc = "of the paper's cracks: thickness e of the layer that tractions act on, as forces sigma / e"},
 
     {SECTION_DYNAMICS, "density", KIND_REAL, UNIT_MASS_DENSITY, POSITIVE, IN_PROBLEM(dynamics.density),
      .doc = "mass of a unit of volume"},
@@ -183,7 +189,7 @@ const pdmc_study_setting pdmc_study_settings[] = {
 // A choice is stored as an int.
 _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == sizeof(int) &&
                    sizeof(pdmc_quantity) == sizeof(int) && sizeof(pdmc_distribution_kind) == sizeof(int) &&
-                   sizeof(pdmc_inverse) == sizeof(int) && sizeof(pdmc_bonds) == sizeof(int) &&
+                   sizeof(pdmc_inverse) == sizeof(int) && sizeof(pdmc_switch) == sizeof(int) && sizeof(pdmc_bonds) == sizeof(int) &&
                    sizeof(pdmc_measure) == sizeof(int) && sizeof(pdmc_problem_kind) == sizeof(int) &&
                    sizeof(pdmc_face) == sizeof(int),
                "enumerations of another size");

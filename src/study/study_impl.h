@@ -152,6 +152,7 @@ double pdmc_study_half_crack(const pdmc_crack *crack);
 double pdmc_study_default_spacing(const pdmc_problem *problem);
 double pdmc_study_default_horizon(const pdmc_problem *problem);
 double pdmc_study_default_shape(const pdmc_problem *problem);
+double pdmc_study_default_edge_layer(const pdmc_problem *problem);
 double pdmc_study_default_energy_horizon(const pdmc_problem *problem);
 double pdmc_study_default_extension(const pdmc_problem *problem);
 double pdmc_study_default_step(const pdmc_problem *problem);
@@ -213,6 +214,9 @@ pdmc_study_address pdmc_study_address_of(const pdmc_study_record *record, const 
 /// Says what was found and what is allowed; `noun` is "" where the kind is right and only the range is not.
 pdmc_status pdmc_study_refuse_value(const pdmc_study_record *record, const pdmc_study_setting *setting,
                                     const config_setting_t *value, const char *noun);
+/// Of a choice that is to come.
+pdmc_status pdmc_study_refuse_planned(const pdmc_study_record *record, const pdmc_study_setting *setting,
+                                      const config_setting_t *value);
 pdmc_status pdmc_study_refuse_kind(const pdmc_study_record *record, const pdmc_study_setting *setting,
                                    const config_setting_t *value);
 pdmc_status pdmc_study_refuse_missing(const pdmc_study_record *record, const pdmc_study_setting *setting);

@@ -147,9 +147,7 @@ static pdmc_status read_choice(const pdmc_study_record *r, const pdmc_study_sett
     if (value && config_setting_type(value) != CONFIG_TYPE_STRING) return pdmc_study_refuse_kind(r, s, value);
     const char *name = value ? config_setting_get_string(value) : s->fallback;
     const int choice = choice_index(s->choices, name);
-    if (choice_index(s->planned, name) >= 0)
-        return pdmc_study_refuse(r->reader, pdmc_study_address_of(r, s), "\"%s\" is not available yet, must be \"%s\"",
-                                 name, s->choices[0]);
+    if (choice_index(s->planned, name) >= 0) return pdmc_study_refuse_planned(r, s, value);
     if (choice < 0) return pdmc_study_refuse_value(r, s, value, "");
     store(r, s, &choice, sizeof choice);
     return PDMC_OK;

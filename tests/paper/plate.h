@@ -10,5 +10,5 @@ static inline void paper_settings(plate *p, bool tip_functions)
 {
     p->problem.kansa.crack_model = PDMC_CRACKS_PAPER;
     p->problem.kansa.edge_layer = p->problem.kansa.horizon / 5.0;
-    p->problem.kansa.tip_functions = tip_functions;
+    p->problem.kansa.tip_functions = tip_functions ? PDMC_ON : PDMC_OFF;
 }

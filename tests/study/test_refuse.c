@@ -164,7 +164,7 @@ static void wrong_words(void **state)
         {LINE_SOLVER, "solver = { method = \"fem\"; };",
          "study.cfg:7: solver.method: \"fem\" is not allowed, must be \"kansa\""},
         {LINE_SOLVER, "solver = { crack_model = \"visible\"; };",
-         "study.cfg:7: solver.crack_model: \"visible\" is not available yet, must be \"analytic\""},
+         "study.cfg:7: solver.crack_model: \"visible\" is not available yet, must be \"analytic\" or \"paper\""},
         {LINE_CRACKS, line, message},
         {LINE_CRACKS, "cracks = ( { name = \"a.b\"; from = [0, 0]; to = [1, 0]; } );",
          "study.cfg:4: cracks[0].name: \"a.b\" is not allowed, must be a text of 1 to 63 letters, digits, _ or -"},
