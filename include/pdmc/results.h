@@ -19,9 +19,11 @@ typedef enum {
     PDMC_SAMPLE_SOFT = 3,     // the sample's effective modulus is not positive
 } pdmc_sample_failure;
 
+enum { PDMC_LONG_NAME_SIZE = PDMC_NAME_SIZE + 8 }; // of a crack and its end, with the terminating zero
+
 /// A tip, with the solution at the mean of all uncertain quantities.
 typedef struct {
-    char name[PDMC_NAME_SIZE + 8]; // "<crack>.from" or "<crack>.to"
+    char name[PDMC_LONG_NAME_SIZE]; // "<crack>.from" or "<crack>.to"
     double position[2];            // length
     double direction;              // angle of straight-ahead growth, rad
     double stress_intensity[2];    // K_I, K_II, force / length^(3/2)
@@ -61,14 +63,34 @@ typedef struct {
     double *face_displacement; // [crack_count, face_points, 2 (left, right of from -> to), 2]
 } pdmc_field;
 
+/// A point whose displacement a dynamic study records.
+typedef struct {
+    char name[PDMC_LONG_NAME_SIZE];
+    double position[2]; // length
+    int face;           // pdmc_face
+} pdmc_probe_record;
+
+/// The motion of a dynamic study at N times, of which the first is the start; P probes. Energies are those of the whole
+/// plate, in force length; without rounding, work = kinetic + elastic + dissipated.
+typedef struct {
+    int time_count;                                // N
+    double *time, *load_factor;                    // [N]
+    double *kinetic, *elastic, *dissipated, *work; // [N]
+    int probe_count;                               // P
+    pdmc_probe_record *probes;                     // [P]
+    double *displacement;                          // [N, P, 2] length
+} pdmc_motion_record;
+
 typedef struct {
     double assembly, factorisation, operators, energy_rows, sampling, energy, statistics, output, total; // wall seconds
+    double motion; // of a dynamic study: the weak form and the time steps
     int threads;
 } pdmc_runtime;
 
 typedef struct {
     // the study
-    char *title, *length_unit, *force_unit, *input, *resolved;
+    pdmc_problem_kind kind; // a dynamic study has no tips, angles and samples; a static one has no motion
+    char *title, *length_unit, *force_unit, *time_unit, *input, *resolved;
     uint64_t seed;
     char *date_and_time; // ISO 8601, UTC
     char *pdmc_version, *git_sha1; // of the program that computed the results
@@ -90,6 +112,8 @@ typedef struct {
     double *nominal_griffith_energy;     // [T, A]
     pdmc_solver_report solver;
     pdmc_field field;
+
+    pdmc_motion_record motion; // of a dynamic study
 
     // the samples
     int sample_count; // S
@@ -125,6 +149,8 @@ typedef enum {
     PDMC_UNIT_STRESS_INTENSITY, // force / length^(3/2)
     PDMC_UNIT_ENERGY,           // force / length
     PDMC_UNIT_DENSITY,          // length / force, the probability density of an energy
+    PDMC_UNIT_STUDY_TIME,       // time, in the study's unit
+    PDMC_UNIT_WORK,             // force length
 } pdmc_unit;
 enum { PDMC_UNIT_SIZE = 160 }; // enough for any unit of a study whose own units have at most 64 characters
 

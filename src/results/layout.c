@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#define MOTION "/motion/" // the group that only dynamic studies have
 #define MEMBER(name) offsetof(pdmc_results, name)
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
@@ -16,6 +17,10 @@
 #define TIPS(path, kind, name, unit, text, width, ...)                                                                 \
     {path, text, PDMC_KIND_##kind, PDMC_UNIT_##unit, MEMBER(tips), sizeof(pdmc_tip), offsetof(pdmc_tip, name),         \
      width, {PDMC_DIM_TIP, __VA_ARGS__}}
+#define PROBES(path, kind, name, unit, text, width, ...)                                                               \
+    {path, text, PDMC_KIND_##kind, PDMC_UNIT_##unit, MEMBER(motion.probes), sizeof(pdmc_probe_record),                 \
+     offsetof(pdmc_probe_record, name), width, {PDMC_DIM_PROBE, __VA_ARGS__}}
+#define HISTORY(name, unit, text) REALS(MOTION #name, motion.name, unit, text, PDMC_DIM_TIME)
 #define ESTIMATES(path, name, unit, text, ...)                                                                         \
     {path, text, PDMC_KIND_REAL, PDMC_UNIT_##unit, MEMBER(name), sizeof(pdmc_estimate),                                \
      offsetof(pdmc_estimate, value), 1, {__VA_ARGS__}},                                                                \
@@ -82,6 +87,19 @@ const pdmc_dataset pdmc_datasets[] = {
           "displacement at the mean of the faces to the left and right of each crack", PDMC_DIM_CRACK,
           PDMC_DIM_FACE_POINT, PDMC_DIM_FACE, PDMC_DIM_COORDINATE),
 
+    HISTORY(time, STUDY_TIME, "times, the first is the start"),
+    HISTORY(load_factor, NONE, "factor on the tractions"),
+    HISTORY(kinetic, WORK, "kinetic energy of the plate"),
+    HISTORY(elastic, WORK, "elastic energy of the plate"),
+    HISTORY(dissipated, WORK, "energy that damping has taken"),
+    HISTORY(work, WORK, "work that the tractions have done"),
+    PROBES(MOTION "probe_name", NAME, name, NONE, "points that are watched", 1, PDMC_DIM_END),
+    PROBES(MOTION "probe_position", REAL, position, LENGTH, "where they are at rest", 2, PDMC_DIM_COORDINATE),
+    PROBES(MOTION "probe_face", INT, face, NONE, "of a crack: 0 none, 1 left, 2 right of from -> to", 1, PDMC_DIM_END),
+    NUMBER(MOTION "seconds", REAL, runtime.motion, TIME, "wall time of the weak form and the time steps"),
+    REALS(MOTION "displacement", motion.displacement, LENGTH, "displacement of the probes", PDMC_DIM_TIME,
+          PDMC_DIM_PROBE, PDMC_DIM_COORDINATE),
+
     REALS("/samples/load_factor", load_factor, NONE, "factor on the loads", PDMC_DIM_SAMPLE),
     REALS("/samples/micromodulus", micromodulus, NONE, "c(r) / c_0 in equal bins of [0, horizon]", PDMC_DIM_SAMPLE,
           PDMC_DIM_RADIAL_BIN),
@@ -120,12 +138,14 @@ const pdmc_dataset pdmc_datasets[] = {
 const size_t pdmc_dataset_count = COUNT(pdmc_datasets);
 
 static const char *const run_statuses[] = {[PDMC_RUN_COMPLETE] = "complete", [PDMC_RUN_INTERRUPTED] = "interrupted"};
+static const char *const kind_names[] = {[PDMC_STATIC] = "static", [PDMC_DYNAMIC] = "dynamic"};
 static const char *const bond_names[] = {[PDMC_BONDS_ALL] = "all", [PDMC_BONDS_TENSILE] = "tensile"};
 
 #define ATTRIBUTE(object, kind, name, member) {object, name, PDMC_ATTRIBUTE_##kind, MEMBER(member), NULL, 0}
 #define CHOICE(object, name, names) {object, #name, PDMC_ATTRIBUTE_CHOICE, MEMBER(name), names, (int)COUNT(names)}
 
 const pdmc_attribute pdmc_attributes[] = {
+    CHOICE("/", kind, kind_names),
     ATTRIBUTE("/", TEXT, "git_sha1", git_sha1),
     ATTRIBUTE("/", TEXT, "date_and_time", date_and_time),
     ATTRIBUTE("/", TEXT, "title", title),
@@ -133,6 +153,7 @@ const pdmc_attribute pdmc_attributes[] = {
     ATTRIBUTE("/", DOCUMENT, "resolved", resolved),
     ATTRIBUTE("/", TEXT, "length_unit", length_unit),
     ATTRIBUTE("/", TEXT, "force_unit", force_unit),
+    ATTRIBUTE("/", TEXT, "time_unit", time_unit),
     ATTRIBUTE("/", SEED, "seed", seed),
     ATTRIBUTE("/", REAL, "confidence", confidence),
     ATTRIBUTE("/", INT, "threads", runtime.threads),
@@ -143,7 +164,7 @@ const pdmc_attribute pdmc_attributes[] = {
 };
 const size_t pdmc_attribute_count = COUNT(pdmc_attributes);
 _Static_assert(sizeof(pdmc_run_status) == sizeof(int) && sizeof(pdmc_measure) == sizeof(int) &&
-                   sizeof(pdmc_bonds) == sizeof(int),
+                   sizeof(pdmc_bonds) == sizeof(int) && sizeof(pdmc_problem_kind) == sizeof(int),
                "choices are read and written as int");
 
 static const struct {
@@ -162,6 +183,8 @@ static const struct {
     [PDMC_DIM_EDGE] = {"edge", MEMBER(histogram_bins), true, 1},
     [PDMC_DIM_BIN] = {"bin", MEMBER(histogram_bins), true, 0},
     [PDMC_DIM_BIN_AND_OUTSIDE] = {"underflow, bins, overflow", MEMBER(histogram_bins), true, 2},
+    [PDMC_DIM_TIME] = {"time", MEMBER(motion.time_count), true, 0},
+    [PDMC_DIM_PROBE] = {"probe", MEMBER(motion.probe_count), true, 0},
     [PDMC_DIM_QUANTILE] = {"quantile level", 0, false, PDMC_QUANTILES},
     [PDMC_DIM_COORDINATE] = {"x, y", 0, false, 2},
     [PDMC_DIM_END_POINT] = {"from x, from y, to x, to y", 0, false, 4},
@@ -191,6 +214,11 @@ size_t pdmc_dimension_size(const pdmc_results *results, pdmc_dimension dimension
     return (size_t)count + (size_t)dimensions[dimension].more;
 }
 
+bool pdmc_dataset_belongs(const pdmc_results *results, const pdmc_dataset *dataset)
+{
+    return results->kind == PDMC_DYNAMIC || strncmp(dataset->path, MOTION, strlen(MOTION)) != 0;
+}
+
 size_t pdmc_dataset_rank(const pdmc_dataset *dataset)
 {
     size_t rank = 0;
@@ -209,11 +237,8 @@ size_t pdmc_dataset_size(const pdmc_results *results, const pdmc_dataset *datase
 size_t pdmc_kind_size(pdmc_kind kind)
 {
     static const size_t sizes[] = {
-        [PDMC_KIND_REAL] = sizeof(double),
-        [PDMC_KIND_INT] = sizeof(int),
-        [PDMC_KIND_INT64] = sizeof(int64_t),
-        [PDMC_KIND_BYTE] = sizeof(uint8_t),
-        [PDMC_KIND_NAME] = sizeof(((pdmc_tip *)NULL)->name),
+        [PDMC_KIND_REAL] = sizeof(double),  [PDMC_KIND_INT] = sizeof(int),          [PDMC_KIND_INT64] = sizeof(int64_t),
+        [PDMC_KIND_BYTE] = sizeof(uint8_t), [PDMC_KIND_NAME] = PDMC_LONG_NAME_SIZE,
     };
     return sizes[kind];
 }

@@ -20,6 +20,8 @@ typedef enum {
     PDMC_DIM_EDGE,
     PDMC_DIM_BIN,
     PDMC_DIM_BIN_AND_OUTSIDE,
+    PDMC_DIM_TIME,
+    PDMC_DIM_PROBE,
     PDMC_DIM_QUANTILE,
     PDMC_DIM_COORDINATE,
     PDMC_DIM_END_POINT,
@@ -72,6 +74,9 @@ int *pdmc_dimension_field(pdmc_results *results, pdmc_dimension dimension, int *
 
 /// Size of an axis.
 size_t pdmc_dimension_size(const pdmc_results *results, pdmc_dimension dimension);
+
+/// Whether the file of these results has the dataset: only a dynamic study has a motion.
+bool pdmc_dataset_belongs(const pdmc_results *results, const pdmc_dataset *dataset);
 
 size_t pdmc_dataset_rank(const pdmc_dataset *dataset);
 

@@ -27,18 +27,28 @@ void pdmc_results_clear(pdmc_results *results)
     *results = (pdmc_results){0};
 }
 
+// F stands for the unit of force, L for that of length, T for that of time.
+static const char *base_unit(const pdmc_results *results, char letter, const char *otherwise)
+{
+    switch (letter) {
+    case 'F': return results->force_unit;
+    case 'L': return results->length_unit;
+    case 'T': return results->time_unit;
+    default: return otherwise;
+    }
+}
+
 void pdmc_results_unit(const pdmc_results *results, pdmc_unit unit, size_t size, char text[])
 {
-    // F stands for the unit of force, L for that of length.
     static const char *const patterns[] = {
         [PDMC_UNIT_NONE] = "1",     [PDMC_UNIT_ANGLE] = "rad",    [PDMC_UNIT_TIME] = "s",
         [PDMC_UNIT_LENGTH] = "L",   [PDMC_UNIT_STRESS] = "F/L^2", [PDMC_UNIT_STRESS_INTENSITY] = "F/L^(3/2)",
-        [PDMC_UNIT_ENERGY] = "F/L", [PDMC_UNIT_DENSITY] = "L/F",
+        [PDMC_UNIT_ENERGY] = "F/L", [PDMC_UNIT_DENSITY] = "L/F",  [PDMC_UNIT_STUDY_TIME] = "T",
+        [PDMC_UNIT_WORK] = "F L",
     };
     size_t used = 0;
     for (const char *p = patterns[unit]; *p; p++) {
-        const char one[2] = {*p, '\0'};
-        const char *piece = *p == 'F' ? results->force_unit : *p == 'L' ? results->length_unit : one;
+        const char one[2] = {*p, '\0'}, *piece = base_unit(results, *p, one);
         for (; piece && *piece && used + 1 < size; piece++) text[used++] = *piece;
     }
     if (size > 0) text[used] = '\0';
@@ -97,13 +107,24 @@ static pdmc_status check_names(const pdmc_results *results, pdmc_status code)
     for (int i = 0; i < results->tip_count; i++)
         if (!memchr(results->tips[i].name, '\0', sizeof results->tips[i].name))
             return pdmc_raise(code, "the name of tip %d has no end", i);
+    for (int i = 0; i < results->motion.probe_count; i++)
+        if (!memchr(results->motion.probes[i].name, '\0', sizeof results->motion.probes[i].name))
+            return pdmc_raise(code, "the name of probe %d has no end", i);
+    return PDMC_OK;
+}
+
+static pdmc_status check_faces(const pdmc_results *results, pdmc_status code)
+{
+    for (int i = 0; i < results->motion.probe_count; i++)
+        if (results->motion.probes[i].face < PDMC_FACE_NONE || results->motion.probes[i].face > PDMC_FACE_RIGHT)
+            return pdmc_raise(code, "probe %d: unknown face %d", i, results->motion.probes[i].face);
     return PDMC_OK;
 }
 
 pdmc_status pdmc_results_check(const pdmc_results *results, pdmc_status code)
 {
-    pdmc_status (*const checks[])(const pdmc_results *, pdmc_status) = {check_counts, check_arrays, check_choices,
-                                                                        check_failures, check_names};
+    pdmc_status (*const checks[])(const pdmc_results *, pdmc_status) = {check_counts,   check_arrays, check_choices,
+                                                                        check_failures, check_names,  check_faces};
     for (size_t i = 0; i < sizeof checks / sizeof checks[0]; i++) {
         const pdmc_status status = checks[i](results, code);
         if (status != PDMC_OK) return status;

@@ -136,7 +136,8 @@ static pdmc_status write_everything(hid_t file, const pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
     const double start = pdmc_seconds();
-    for (size_t i = 0; i < pdmc_dataset_count; i++) PDMC_TRY(write_dataset(file, results, &pdmc_datasets[i]));
+    for (size_t i = 0; i < pdmc_dataset_count; i++)
+        if (pdmc_dataset_belongs(results, &pdmc_datasets[i])) PDMC_TRY(write_dataset(file, results, &pdmc_datasets[i]));
     for (size_t i = 0; i < pdmc_attribute_count; i++) PDMC_TRY(write_attribute(file, results, &pdmc_attributes[i]));
     PDMC_TRY(pdmc_identity_write(file, results));
     if (isnan(results->runtime.output)) PDMC_TRY(write_output_time(file, pdmc_seconds() - start));

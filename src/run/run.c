@@ -3,6 +3,7 @@
 
 #include "base/base_impl.h"
 #include "pdmc/discretisation.h"
+#include "run/motion.h"
 
 #include <math.h>
 #include <time.h>
@@ -31,11 +32,13 @@ static pdmc_status describe_study(const pdmc_study *study, pdmc_results *results
     PDMC_TRY(copy_text(problem->title, &results->title));
     PDMC_TRY(copy_text(problem->length_unit, &results->length_unit));
     PDMC_TRY(copy_text(problem->force_unit, &results->force_unit));
+    PDMC_TRY(copy_text(problem->time_unit, &results->time_unit));
     PDMC_TRY(copy_text(study->input, &results->input));
     PDMC_TRY(copy_text(study->resolved, &results->resolved));
     PDMC_TRY(copy_text(pdmc_version(), &results->pdmc_version));
     PDMC_TRY(copy_text(pdmc_git_sha1(), &results->git_sha1));
     PDMC_TRY(stamp_date(&results->date_and_time));
+    results->kind = problem->kind;
     results->seed = problem->sampling.seed;
     results->status = PDMC_RUN_COMPLETE;
     results->confidence = 0.95;
@@ -46,7 +49,7 @@ static pdmc_status describe_study(const pdmc_study *study, pdmc_results *results
     results->energy_horizon = problem->energy.horizon;
     results->measure = problem->energy.measure;
     results->bonds = problem->energy.bonds;
-    results->histogram_bins = HISTOGRAM_BINS;
+    results->histogram_bins = problem->kind == PDMC_STATIC ? HISTOGRAM_BINS : 0;
 done:
     return status;
 }
@@ -110,11 +113,32 @@ done:
     return status;
 }
 
-// Whether to go on, before there are samples to save.
+// Whether to go on, before there are samples or steps to save.
 static pdmc_status ask(const pdmc_problem *problem, const pdmc_run_options *options)
 {
-    if (!options->progress || options->progress(options->context, 0, problem->sampling.samples)) return PDMC_OK;
-    return pdmc_raise(PDMC_ERR_INTERRUPTED, "stopped before the first samples: there is nothing to save");
+    const bool is_static = problem->kind == PDMC_STATIC;
+    const int total = is_static ? problem->sampling.samples : pdmc_problem_steps(problem);
+    if (!options->progress || options->progress(options->context, 0, total)) return PDMC_OK;
+    return pdmc_raise(PDMC_ERR_INTERRUPTED, "stopped before the first %s: there is nothing to save",
+                      is_static ? "samples" : "time step");
+}
+
+static pdmc_status run_samples(const pdmc_problem *problem, const pdmc_discretisation *plate,
+                               const pdmc_run_options *options, pdmc_results *results)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_affine model = {0};
+    PDMC_TRY(plate->verbs->affine(plate->method, &model));
+    PDMC_TRY(ask(problem, options));
+    results->runtime.operators = model.operator_seconds;
+    results->runtime.energy_rows = model.energy_seconds;
+    PDMC_TRY(pdmc_monte_carlo(problem, &model, options, results));
+    const double sampled = pdmc_seconds();
+    PDMC_TRY(pdmc_summarise(options, results));
+    results->runtime.statistics = pdmc_seconds() - sampled;
+done:
+    pdmc_affine_clear(&model);
+    return status;
 }
 
 pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, pdmc_results *results)
@@ -122,7 +146,6 @@ pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, p
     pdmc_status status = PDMC_OK;
     const pdmc_problem *problem = &study->problem;
     pdmc_discretisation plate = {0};
-    pdmc_affine model = {0};
     const double start = pdmc_seconds();
     *results = (pdmc_results){0};
     PDMC_TRY(describe_study(study, results));
@@ -132,18 +155,10 @@ pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, p
     PDMC_TRY(ask(problem, options));
     PDMC_TRY(describe_solution(problem, &plate, options->threads, results));
     PDMC_TRY(ask(problem, options));
-    PDMC_TRY(plate.verbs->affine(plate.method, &model));
-    PDMC_TRY(ask(problem, options));
-    results->runtime.operators = model.operator_seconds;
-    results->runtime.energy_rows = model.energy_seconds;
-    PDMC_TRY(pdmc_monte_carlo(problem, &model, options, results));
-    const double sampled = pdmc_seconds();
-    PDMC_TRY(pdmc_summarise(options, results));
-    results->runtime.statistics = pdmc_seconds() - sampled;
+    PDMC_TRY((problem->kind == PDMC_STATIC ? run_samples : pdmc_run_motion)(problem, &plate, options, results));
     results->runtime.total = pdmc_seconds() - start;
     results->runtime.output = NAN; // measured where the file is made
 done:
-    pdmc_affine_clear(&model);
     pdmc_discretisation_clear(&plate);
     if (status != PDMC_OK) pdmc_results_clear(results);
     return status;

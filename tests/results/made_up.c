@@ -11,6 +11,7 @@ static const double pi = 3.14159265358979323846;
 
 const made_up_size made_up_small = {
     .cracks = 1, .angles = 8, .samples = 40, .failed = 2, .radial_bins = 5, .histogram_bins = 6};
+const made_up_size made_up_motion = {.cracks = 1, .times = 201, .probes = 2};
 const made_up_size made_up_paper = {
     .cracks = 1, .angles = 72, .samples = 6000, .failed = 0, .radial_bins = 100, .histogram_bins = 60};
 
@@ -46,6 +47,7 @@ static void make_study(pdmc_results *r)
     r->title = pdmc_strdup("Centre crack under uncertain tension");
     r->length_unit = pdmc_strdup("cm");
     r->force_unit = pdmc_strdup("N");
+    r->time_unit = pdmc_strdup("ms");
     r->input = pdmc_strdup("title = \"Centre crack under uncertain tension\";\n");
     r->resolved = pdmc_strdup("title = \"Centre crack under uncertain tension\"; # resolved\n");
     r->date_and_time = pdmc_strdup("2024-05-17T09:30:00Z");
@@ -88,7 +90,7 @@ static void make_tips(pdmc_results *r)
         const double y = 1.2 * c;
         double *crack = &r->cracks[4 * c];
         crack[0] = -half_crack, crack[1] = y, crack[2] = half_crack, crack[3] = y;
-        for (int end = 0; end < TIPS_A_CRACK; end++) {
+        for (int end = 0; end < TIPS_A_CRACK && r->tip_count > 0; end++) {
             pdmc_tip *tip = &r->tips[TIPS_A_CRACK * c + end];
             snprintf(tip->name, sizeof tip->name, "%s.%s", c ? "upper" : "center", end ? "to" : "from");
             tip->position[0] = crack[2 * end], tip->position[1] = y;
@@ -296,15 +298,44 @@ static void make_probabilities(pdmc_results *r)
     }
 }
 
+/// A plate on a spring of damping 0.3, mass and stiffness 1 that is loaded suddenly.
+static void make_motion(pdmc_results *r, int times)
+{
+    pdmc_motion_record *m = &r->motion;
+    const double d = 0.3, w = sqrt(1.0 - 0.25 * d * d);
+    double **const histories[] = {&m->time, &m->load_factor, &m->kinetic, &m->elastic, &m->dissipated, &m->work};
+    for (size_t i = 0; i < sizeof histories / sizeof histories[0]; i++) *histories[i] = NEW(times, double);
+    m->probes = NEW(m->probe_count, pdmc_probe_record);
+    m->displacement = NEW(2 * times * m->probe_count, double);
+    for (int p = 0; p < m->probe_count; p++) {
+        snprintf(m->probes[p].name, sizeof m->probes[p].name, "probe%d", p + 1);
+        m->probes[p].position[1] = 2.5 * p;
+        m->probes[p].face = p ? PDMC_FACE_NONE : PDMC_FACE_LEFT;
+    }
+    for (int i = 0; i < times; i++) {
+        const double t = 0.15 * i, fall = exp(-0.5 * d * t);
+        const double x = 1.0 - fall * (cos(w * t) + 0.5 * d / w * sin(w * t)), v = fall * sin(w * t) / w;
+        m->time[i] = t;
+        m->load_factor[i] = i > 0;
+        m->work[i] = x;
+        m->kinetic[i] = 0.5 * v * v;
+        m->elastic[i] = 0.5 * x * x;
+        m->dissipated[i] = m->work[i] - m->kinetic[i] - m->elastic[i];
+        for (int p = 0; p < m->probe_count; p++) m->displacement[2 * (i * m->probe_count + p) + 1] = (p + 1) * x;
+    }
+}
+
 pdmc_results made_up_results(made_up_size size)
 {
     pdmc_results r = {.crack_count = size.cracks,
-                      .tip_count = TIPS_A_CRACK * size.cracks,
+                      .kind = size.times > 0 ? PDMC_DYNAMIC : PDMC_STATIC,
+                      .tip_count = size.times > 0 ? 0 : TIPS_A_CRACK * size.cracks,
                       .angle_count = size.angles,
                       .sample_count = size.samples,
                       .failed_count = size.failed,
                       .bin_count = size.radial_bins,
-                      .histogram_bins = size.histogram_bins};
+                      .histogram_bins = size.histogram_bins,
+                      .motion = {.time_count = size.times, .probe_count = size.probes}};
     make_study(&r);
     make_tips(&r);
     make_nominal(&r);
@@ -312,5 +343,6 @@ pdmc_results made_up_results(made_up_size size)
     make_samples(&r);
     make_statistics(&r);
     make_probabilities(&r);
+    if (r.kind == PDMC_DYNAMIC) make_motion(&r, size.times);
     return r;
 }

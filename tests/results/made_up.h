@@ -13,9 +13,11 @@ typedef struct {
     int failed; // of the samples; with any, some numbers are NaN and some bounds infinite
     int radial_bins;
     int histogram_bins;
+    int times, probes; // with times, the study is dynamic
 } made_up_size;
 
 extern const made_up_size made_up_small;
+extern const made_up_size made_up_motion; // a dynamic study
 extern const made_up_size made_up_paper; // as large as the study of Evangelatos & Spanos (2011), section 6.3
 
 /// Free with pdmc_results_clear().

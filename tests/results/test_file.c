@@ -35,6 +35,8 @@ static void check_fields(const pdmc_results *a, const pdmc_results *b)
     assert_string_equal(a->title, b->title);
     assert_string_equal(a->length_unit, b->length_unit);
     assert_string_equal(a->force_unit, b->force_unit);
+    assert_string_equal(a->time_unit, b->time_unit);
+    assert_int_equal(a->kind, b->kind);
     assert_string_equal(a->input, b->input);
     assert_string_equal(a->resolved, b->resolved);
     assert_string_equal(a->date_and_time, b->date_and_time);
@@ -70,11 +72,32 @@ static void check_fields(const pdmc_results *a, const pdmc_results *b)
     }
 }
 
+static void check_motion(const pdmc_motion_record *a, const pdmc_motion_record *b)
+{
+    const size_t n = (size_t)a->time_count * sizeof(double), probes = (size_t)a->probe_count;
+    assert_int_equal(a->time_count, b->time_count);
+    assert_int_equal(a->probe_count, b->probe_count);
+    assert_memory_equal(a->time, b->time, n);
+    assert_memory_equal(a->load_factor, b->load_factor, n);
+    assert_memory_equal(a->kinetic, b->kinetic, n);
+    assert_memory_equal(a->elastic, b->elastic, n);
+    assert_memory_equal(a->dissipated, b->dissipated, n);
+    assert_memory_equal(a->work, b->work, n);
+    assert_memory_equal(a->displacement, b->displacement, 2 * n * probes);
+    for (size_t p = 0; p < probes; p++) {
+        assert_string_equal(a->probes[p].name, b->probes[p].name);
+        assert_memory_equal(a->probes[p].position, b->probes[p].position, sizeof a->probes[p].position);
+        assert_int_equal(a->probes[p].face, b->probes[p].face);
+    }
+}
+
 static void what_is_written_is_read(void **state)
 {
     (void)state;
     const made_up_size sizes[] = {
         made_up_small,
+        made_up_motion,
+        {.times = 1},
         {.cracks = 2, .angles = 3, .samples = 7, .failed = 7, .radial_bins = 1, .histogram_bins = 1},
         {.cracks = 1, .angles = 4, .samples = 5, .radial_bins = 0, .histogram_bins = 0},
         {.cracks = 0, .angles = 4, .samples = 5, .radial_bins = 2, .histogram_bins = 3},
@@ -87,6 +110,7 @@ static void what_is_written_is_read(void **state)
         CHECK_OK(pdmc_results_read(scratch_path("results.h5"), &b));
         check_equal(&a, &b);
         check_fields(&a, &b);
+        if (a.kind == PDMC_DYNAMIC) check_motion(&a.motion, &b.motion);
         pdmc_results_clear(&a);
         pdmc_results_clear(&b);
     }
@@ -177,7 +201,7 @@ static herr_t count_units(hid_t file, const char *name, const H5O_info_t *info, 
 static void every_dataset_says_its_unit(void **state)
 {
     (void)state;
-    pdmc_results a = made_up_results(made_up_small);
+    pdmc_results a = made_up_results(made_up_motion); // which has every dataset
     size_t count = 0;
     CHECK_OK(pdmc_results_write(&a, scratch_path("results.h5"), false));
     const hid_t file = H5Fopen(scratch_path("results.h5"), H5F_ACC_RDONLY, H5P_DEFAULT);
@@ -188,15 +212,46 @@ static void every_dataset_says_its_unit(void **state)
     scratch_empty(scratch);
 }
 
+static void a_static_study_has_no_motion(void **state)
+{
+    (void)state;
+    pdmc_results a = made_up_results(made_up_small);
+    CHECK_OK(pdmc_results_write(&a, scratch_path("results.h5"), false));
+    const hid_t file = H5Fopen(scratch_path("results.h5"), H5F_ACC_RDONLY, H5P_DEFAULT);
+    assert_int_equal(H5Lexists(file, "/motion", H5P_DEFAULT), 0);
+    H5Fclose(file);
+    pdmc_results_clear(&a);
+    scratch_empty(scratch);
+}
+
+static void impossible_probes_are_refused(void **state)
+{
+    (void)state;
+    pdmc_results a = made_up_results(made_up_motion);
+    a.motion.probes[1].face = 3;
+    CHECK_STATUS(pdmc_results_write(&a, scratch_path("results.h5"), false), PDMC_ERR_ARG);
+    assert_string_equal(pdmc_last_error(), "probe 1: unknown face 3");
+    a.motion.probes[1].face = PDMC_FACE_NONE;
+    memset(a.motion.probes[0].name, 'n', sizeof a.motion.probes[0].name);
+    CHECK_STATUS(pdmc_results_write(&a, scratch_path("results.h5"), false), PDMC_ERR_ARG);
+    assert_string_equal(pdmc_last_error(), "the name of probe 0 has no end");
+    pdmc_results_clear(&a);
+    assert_int_equal(scratch_empty(scratch), 0);
+}
+
 static void units_are_the_studys(void **state)
 {
     (void)state;
     char unit[PDMC_UNIT_SIZE], few[4];
-    const pdmc_results results = {.length_unit = "mm", .force_unit = "kN"};
+    const pdmc_results results = {.length_unit = "mm", .force_unit = "kN", .time_unit = "ms"};
     pdmc_results_unit(&results, PDMC_UNIT_STRESS_INTENSITY, sizeof unit, unit);
     assert_string_equal(unit, "kN/mm^(3/2)");
     pdmc_results_unit(&results, PDMC_UNIT_DENSITY, sizeof unit, unit);
     assert_string_equal(unit, "mm/kN");
+    pdmc_results_unit(&results, PDMC_UNIT_WORK, sizeof unit, unit);
+    assert_string_equal(unit, "kN mm");
+    pdmc_results_unit(&results, PDMC_UNIT_STUDY_TIME, sizeof unit, unit);
+    assert_string_equal(unit, "ms");
     pdmc_results_unit(&results, PDMC_UNIT_NONE, sizeof unit, unit);
     assert_string_equal(unit, "1");
     pdmc_results_unit(&results, PDMC_UNIT_STRESS, sizeof few, few);
@@ -222,6 +277,7 @@ int main(void)
         cmocka_unit_test(what_is_written_is_read),        cmocka_unit_test(long_texts_survive),
         cmocka_unit_test(equal_results_make_equal_files), cmocka_unit_test(impossible_results_are_refused),
         cmocka_unit_test(refused_memory_is_reported),     cmocka_unit_test(every_dataset_says_its_unit),
+        cmocka_unit_test(a_static_study_has_no_motion),   cmocka_unit_test(impossible_probes_are_refused),
         cmocka_unit_test(units_are_the_studys),           cmocka_unit_test(hdf5_is_silent_only_while_we_use_it),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
