@@ -32,6 +32,28 @@ double pdmc_degrees_around(double angle, double centre)
     return centre * pdmc_degrees + (turn <= -180.0 ? 180.0 : turn);
 }
 
+double pdmc_balance_error(const pdmc_motion_record *m)
+{
+    double error = 0.0, work = 0.0;
+    for (int i = 0; i < m->time_count; i++) {
+        error = fmax(error, fabs(m->work[i] - m->kinetic[i] - m->elastic[i] - m->dissipated[i]));
+        work = fmax(work, fabs(m->work[i]));
+    }
+    return work > 0.0 ? error / work : NAN;
+}
+
+const char *pdmc_face_name(int face)
+{
+    static const char *const names[] = {
+        [PDMC_FACE_NONE] = "none", [PDMC_FACE_LEFT] = "left", [PDMC_FACE_RIGHT] = "right"};
+    return names[face];
+}
+
+const double *pdmc_probe_displacement(const pdmc_motion_record *motion, int time, int probe)
+{
+    return &motion->displacement[2 * ((size_t)time * (size_t)motion->probe_count + (size_t)probe)];
+}
+
 pdmc_status pdmc_locale_plain(pdmc_locale *locale)
 {
     *locale = (pdmc_locale){.plain = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0)};

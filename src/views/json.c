@@ -155,6 +155,38 @@ static json_t *tips(const pdmc_results *r)
     return array;
 }
 
+static json_t *probe(const pdmc_motion_record *m, int p)
+{
+    json_t *object = json_object(), *x = json_array(), *y = json_array();
+    put(&object, "name", text(m->probes[p].name));
+    put(&object, "position", numbers(2, m->probes[p].position));
+    put(&object, "side", text(pdmc_face_name(m->probes[p].face)));
+    for (int i = 0; i < m->time_count; i++) {
+        append(&x, number(pdmc_probe_displacement(m, i, p)[0]));
+        append(&y, number(pdmc_probe_displacement(m, i, p)[1]));
+    }
+    put(&object, "x", x);
+    put(&object, "y", y);
+    return object;
+}
+
+static json_t *motion(const pdmc_results *r)
+{
+    const pdmc_motion_record *m = &r->motion;
+    const size_t count = (size_t)m->time_count;
+    json_t *object = json_object(), *probes = json_array();
+    put(&object, "time", numbers(count, m->time));
+    put(&object, "load_factor", numbers(count, m->load_factor));
+    put(&object, "kinetic", numbers(count, m->kinetic));
+    put(&object, "elastic", numbers(count, m->elastic));
+    put(&object, "dissipated", numbers(count, m->dissipated));
+    put(&object, "work", numbers(count, m->work));
+    put(&object, "balance_error", number(pdmc_balance_error(m)));
+    for (int p = 0; p < m->probe_count; p++) append(&probes, probe(m, p));
+    put(&object, "probes", probes);
+    return object;
+}
+
 static json_t *solver(const pdmc_solver_report *s)
 {
     json_t *object = json_object();
@@ -180,6 +212,7 @@ static json_t *runtime(const pdmc_runtime *t)
     put(&object, "sampling", number(t->sampling));
     put(&object, "energy", number(t->energy));
     put(&object, "statistics", number(t->statistics));
+    put(&object, "motion", number(t->motion));
     put(&object, "output", number(t->output));
     put(&object, "total", number(t->total));
     return object;
@@ -191,6 +224,9 @@ static json_t *units(const pdmc_results *r)
     json_t *object = json_object();
     put(&object, "length", text(r->length_unit));
     put(&object, "force", text(r->force_unit));
+    put(&object, "study_time", text(r->time_unit));
+    pdmc_results_unit(r, PDMC_UNIT_WORK, sizeof unit, unit);
+    put(&object, "work", text(unit));
     pdmc_results_unit(r, PDMC_UNIT_ENERGY, sizeof unit, unit);
     put(&object, "energy", text(unit));
     pdmc_results_unit(r, PDMC_UNIT_STRESS_INTENSITY, sizeof unit, unit);
@@ -203,6 +239,7 @@ static json_t *units(const pdmc_results *r)
 static json_t *everything(const pdmc_results *r)
 {
     json_t *object = json_object();
+    put(&object, "kind", text(r->kind == PDMC_DYNAMIC ? "dynamic" : "static"));
     put(&object, "title", text(r->title));
     put(&object, "date_and_time", text(r->date_and_time));
     put(&object, "pdmc_version", text(r->pdmc_version));
@@ -220,6 +257,7 @@ static json_t *everything(const pdmc_results *r)
     put(&object, "units", units(r));
     put(&object, "confidence", number(r->confidence));
     put(&object, "tips", tips(r));
+    if (r->kind == PDMC_DYNAMIC) put(&object, "motion", motion(r));
     put(&object, "solver", solver(&r->solver));
     put(&object, "runtime", runtime(&r->runtime));
     return object;

@@ -1,58 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/table.h"
 #include "base/base_impl.h"
-#include "views/views_impl.h"
 
 #include <ctype.h>
 #include <math.h>
 
-enum { NUMBER_SIZE = 32 };
-
-/// A number short enough for a column; a dash where there is none.
-static const char *brief(char text[NUMBER_SIZE], double x)
+const char *pdmc_brief(char text[PDMC_BRIEF_SIZE], double x)
 {
-    snprintf(text, NUMBER_SIZE, isnan(x) ? "-" : "%.4g", x);
+    snprintf(text, PDMC_BRIEF_SIZE, isnan(x) ? "-" : "%.4g", x);
     return text;
 }
 
-enum { LINE_SIZE = 99 };
-
-/// A text of the results as part of one line: what would move the cursor of a terminal becomes a space.
-static const char *line(char text[LINE_SIZE], const char *from)
+const char *pdmc_one_line(char text[PDMC_LINE_SIZE], const char *from)
 {
-    snprintf(text, LINE_SIZE, "%.*s", LINE_SIZE - 1, from);
+    snprintf(text, PDMC_LINE_SIZE, "%.*s", PDMC_LINE_SIZE - 1, from);
     for (char *c = text; *c; c++)
         if (iscntrl((unsigned char)*c)) *c = ' ';
     return text;
 }
 
-static void print_head(const pdmc_results *r, FILE *stream)
+static void print_sampling(const pdmc_results *r, FILE *stream)
 {
-    char unit[PDMC_UNIT_SIZE], text[3][LINE_SIZE];
+    char unit[PDMC_UNIT_SIZE], text[PDMC_LINE_SIZE];
     pdmc_results_unit(r, PDMC_UNIT_ENERGY, sizeof unit, unit);
-    fprintf(stream, "%s\n", line(text[0], r->title));
-    fprintf(stream, "  computed %.20s by pdmc %.16s (%.10s), %d threads, %.1f s\n", line(text[0], r->date_and_time),
-            line(text[1], r->pdmc_version), line(text[2], r->git_sha1), r->runtime.threads, r->runtime.total);
-    if (r->status == PDMC_RUN_INTERRUPTED)
-        fprintf(stream, "  INTERRUPTED: these are the samples that were done until then\n");
     fprintf(stream, "  %d samples from seed %llu, %d failed; [intervals] at %g %% confidence\n", r->sample_count,
             (unsigned long long)r->seed, r->failed_count, 100.0 * r->confidence);
     fprintf(stream, "  the %s energy decides P(G > G_c) and the direction; G_c = %.6g %.20s\n",
-            pdmc_measure_title(r->measure), r->fracture_energy, line(text[0], unit));
+            pdmc_measure_title(r->measure), r->fracture_energy, pdmc_one_line(text, unit));
     fprintf(stream, "  bond energies count %s\n", r->bonds == PDMC_BONDS_ALL ? "all bonds" : "bonds in tension only");
+}
+
+static void print_head(const pdmc_results *r, FILE *stream)
+{
+    char text[3][PDMC_LINE_SIZE];
+    fprintf(stream, "%s\n", pdmc_one_line(text[0], r->title));
+    fprintf(stream, "  computed %.20s by pdmc %.16s (%.10s), %d threads, %.1f s\n",
+            pdmc_one_line(text[0], r->date_and_time), pdmc_one_line(text[1], r->pdmc_version),
+            pdmc_one_line(text[2], r->git_sha1), r->runtime.threads, r->runtime.total);
+    if (r->status == PDMC_RUN_INTERRUPTED)
+        fprintf(stream, "  INTERRUPTED: these are the %s that were done until then\n",
+                r->kind == PDMC_DYNAMIC ? "steps" : "samples");
 }
 
 static void print_tip(const pdmc_results *r, const pdmc_tip *tip, FILE *stream)
 {
-    char unit[PDMC_UNIT_SIZE], stress[PDMC_UNIT_SIZE], n[6][NUMBER_SIZE], text[2][LINE_SIZE];
+    char unit[PDMC_UNIT_SIZE], stress[PDMC_UNIT_SIZE], n[6][PDMC_BRIEF_SIZE], text[2][PDMC_LINE_SIZE];
     pdmc_results_unit(r, PDMC_UNIT_STRESS_INTENSITY, sizeof unit, unit);
     pdmc_results_unit(r, PDMC_UNIT_STRESS, sizeof stress, stress);
-    fprintf(stream, "\n%.40s at (%.6g, %.6g) %.8s, straight ahead %.4g deg\n", line(text[0], tip->name),
-            tip->position[0], tip->position[1], line(text[1], r->length_unit), tip->direction * pdmc_degrees);
-    fprintf(stream, "  at the mean  K_I = %s +- %s, K_II = %s +- %s %.20s\n", brief(n[0], tip->stress_intensity[0]),
-            brief(n[1], tip->stress_intensity_error[0]), brief(n[2], tip->stress_intensity[1]),
-            brief(n[3], tip->stress_intensity_error[1]), line(text[0], unit));
-    fprintf(stream, "               T = %s +- %s %.20s\n", brief(n[4], tip->t_stress), brief(n[5], tip->t_stress_error),
-            line(text[0], stress));
+    fprintf(stream, "\n%.40s at (%.6g, %.6g) %.8s, straight ahead %.4g deg\n", pdmc_one_line(text[0], tip->name),
+            tip->position[0], tip->position[1], pdmc_one_line(text[1], r->length_unit), tip->direction * pdmc_degrees);
+    fprintf(stream, "  at the mean  K_I = %s +- %s, K_II = %s +- %s %.20s\n",
+            pdmc_brief(n[0], tip->stress_intensity[0]), pdmc_brief(n[1], tip->stress_intensity_error[0]),
+            pdmc_brief(n[2], tip->stress_intensity[1]), pdmc_brief(n[3], tip->stress_intensity_error[1]),
+            pdmc_one_line(text[0], unit));
+    fprintf(stream, "               T = %s +- %s %.20s\n", pdmc_brief(n[4], tip->t_stress),
+            pdmc_brief(n[5], tip->t_stress_error), pdmc_one_line(text[0], stress));
 }
 
 /// The largest shares, as many as fit a line and matter.
@@ -96,36 +98,38 @@ static double energy_scale(const pdmc_results *r)
 static void print_energy(const pdmc_results *r, pdmc_measure measure, int tip, double turn, FILE *stream)
 {
     const double scale = energy_scale(r);
-    char n[8][NUMBER_SIZE], bounds[2 * NUMBER_SIZE + 4];
+    char n[8][PDMC_BRIEF_SIZE], bounds[2 * PDMC_BRIEF_SIZE + 4];
     const double *bond = r->bonds == PDMC_BONDS_ALL ? r->nominal_bond_energy : r->nominal_bond_energy_tensile;
     const double *nominal = measure == PDMC_MEASURE_BOND ? bond : r->nominal_griffith_energy;
     const int angle = pdmc_nearest_angle(r, r->tips[tip].direction + turn / pdmc_degrees);
     const size_t at = pdmc_place(r, tip, angle);
     const pdmc_estimate *mean = &r->statistics[measure].mean[at];
     const pdmc_estimate *quantiles = &r->statistics[measure].quantiles[at * PDMC_QUANTILES];
-    snprintf(bounds, sizeof bounds, "[%s, %s]", brief(n[0], mean->lower / scale), brief(n[1], mean->upper / scale));
+    snprintf(bounds, sizeof bounds, "[%s, %s]", pdmc_brief(n[0], mean->lower / scale),
+             pdmc_brief(n[1], mean->upper / scale));
     fprintf(stream, "  %-9s %+4.0f %6.1f %8s %8s %-21s %8s %8s %8s %8s\n", pdmc_measure_title(measure), turn,
-            r->angles[angle] * pdmc_degrees, brief(n[2], nominal[at] / scale), brief(n[3], mean->value / scale), bounds,
-            brief(n[4], r->statistics[measure].standard_deviation[at].value / scale),
-            brief(n[5], quantiles[0].value / scale), brief(n[6], quantiles[1].value / scale),
-            brief(n[7], quantiles[2].value / scale));
+            r->angles[angle] * pdmc_degrees, pdmc_brief(n[2], nominal[at] / scale),
+            pdmc_brief(n[3], mean->value / scale), bounds,
+            pdmc_brief(n[4], r->statistics[measure].standard_deviation[at].value / scale),
+            pdmc_brief(n[5], quantiles[0].value / scale), pdmc_brief(n[6], quantiles[1].value / scale),
+            pdmc_brief(n[7], quantiles[2].value / scale));
 }
 
 static void print_energies(const pdmc_results *r, int tip, FILE *stream)
 {
     static const double turns[] = {0.0, 45.0, -45.0, 90.0, -90.0}; // from straight ahead, degrees
-    char unit[PDMC_UNIT_SIZE], scaled[PDMC_UNIT_SIZE + NUMBER_SIZE], text[LINE_SIZE], n[3][NUMBER_SIZE];
+    char unit[PDMC_UNIT_SIZE], scaled[PDMC_UNIT_SIZE + PDMC_BRIEF_SIZE], text[PDMC_LINE_SIZE], n[3][PDMC_BRIEF_SIZE];
     const pdmc_estimate *p = &r->probability[tip];
     const double scale = energy_scale(r);
     pdmc_results_unit(r, PDMC_UNIT_ENERGY, sizeof unit, unit);
     if (scale == 1.0) snprintf(scaled, sizeof scaled, "%s", unit);
     else snprintf(scaled, sizeof scaled, "%.0e %s", scale, unit);
-    fprintf(stream, "  P(G > G_c) = %s [%s, %s]\n", brief(n[0], p->value), brief(n[1], p->lower),
-            brief(n[2], p->upper));
+    fprintf(stream, "  P(G > G_c) = %s [%s, %s]\n", pdmc_brief(n[0], p->value), pdmc_brief(n[1], p->lower),
+            pdmc_brief(n[2], p->upper));
     if (r->angle_count == 0) return;
     print_directions(r, tip, stream);
     fprintf(stream, "  %-9.9s turn  angle  nominal     mean %21s       sd      5 %%     50 %%     95 %%\n",
-            line(text, scaled), "");
+            pdmc_one_line(text, scaled), "");
     for (int m = 0; m < PDMC_MEASURES; m++)
         for (size_t i = 0; i < sizeof turns / sizeof turns[0]; i++)
             print_energy(r, (pdmc_measure)m, tip, turns[i], stream);
@@ -135,14 +139,19 @@ static void print_foot(const pdmc_results *r, FILE *stream)
 {
     const pdmc_solver_report *s = &r->solver;
     const pdmc_runtime *t = &r->runtime;
-    char unit[PDMC_UNIT_SIZE], text[2][LINE_SIZE];
+    char unit[PDMC_UNIT_SIZE], text[2][PDMC_LINE_SIZE];
     pdmc_results_unit(r, PDMC_UNIT_STRESS, sizeof unit, unit);
     fprintf(stream, "\nsolver   %d nodes, %d unknowns, %d equations, rank %d%s\n", s->nodes, s->unknowns, s->rows,
             s->rank, s->rank < s->unknowns ? " (DEFICIENT)" : "");
     fprintf(stream, "         condition %.3g, largest residual %.3g %.20s, horizon %.4g, spacing %.4g %.8s\n",
-            s->condition, s->residual, line(text[0], unit), s->horizon, s->spacing, line(text[1], r->length_unit));
+            s->condition, s->residual, pdmc_one_line(text[0], unit), s->horizon, s->spacing,
+            pdmc_one_line(text[1], r->length_unit));
     fprintf(stream, "seconds  assembly %.2f, factorisation %.2f, operators %.2f, energy rows %.2f,\n", t->assembly,
             t->factorisation, t->operators, t->energy_rows);
+    if (r->kind == PDMC_DYNAMIC) {
+        fprintf(stream, "         motion %.2f, output %.2f\n", t->motion, t->output);
+        return;
+    }
     fprintf(stream, "         sampling %.2f, energy %.2f, statistics %.2f, output %.2f\n", t->sampling, t->energy,
             t->statistics, t->output);
 }
@@ -153,6 +162,7 @@ pdmc_status pdmc_view_table(const pdmc_results *results, FILE *stream)
     const pdmc_status status = pdmc_locale_plain(&locale);
     if (status != PDMC_OK) return status;
     print_head(results, stream);
+    (results->kind == PDMC_DYNAMIC ? pdmc_table_motion : print_sampling)(results, stream);
     for (int t = 0; t < results->tip_count; t++) {
         print_tip(results, &results->tips[t], stream);
         print_energies(results, t, stream);

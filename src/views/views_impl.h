@@ -21,6 +21,15 @@ size_t pdmc_place(const pdmc_results *results, int tip, int angle);
 /// An angle in degrees, in (centre - 180, centre + 180].
 double pdmc_degrees_around(double angle, double centre);
 
+/// The largest difference between work and the energies that it has become, over the largest work; NaN without work.
+double pdmc_balance_error(const pdmc_motion_record *motion);
+
+/// What people call a face of a crack: "none", "left", "right".
+const char *pdmc_face_name(int face);
+
+/// The displacement of a probe, [2].
+const double *pdmc_probe_displacement(const pdmc_motion_record *motion, int time, int probe);
+
 /// Numbers with a decimal point whatever the program's locale, until pdmc_locale_restore().
 typedef struct {
     locale_t plain, before;

@@ -49,6 +49,32 @@ static void it_has_what_programs_ask(void **state)
     pdmc_results_clear(&results);
 }
 
+static void a_motion_is_there_where_there_is_one(void **state)
+{
+    (void)state;
+    pdmc_results results = made_up_results(made_up_motion);
+    json_t *object = parsed(&results), *motion = json_object_get(object, "motion");
+    assert_string_equal(json_string_value(json_object_get(object, "kind")), "dynamic");
+    assert_string_equal(json_string_value(json_object_get(json_object_get(object, "units"), "work")), "N cm");
+    assert_int_equal(json_array_size(json_object_get(motion, "time")), 201);
+    CHECK_NEAR(json_real_value(json_array_get(json_object_get(motion, "kinetic"), 7)), results.motion.kinetic[7], 0.0);
+    CHECK_NEAR(json_real_value(json_object_get(motion, "balance_error")), 0.0, 1e-15);
+    json_t *probes = json_object_get(motion, "probes"), *probe = json_array_get(probes, 1);
+    assert_int_equal(json_array_size(probes), 2);
+    assert_string_equal(json_string_value(json_object_get(probe, "name")), "probe2");
+    assert_string_equal(json_string_value(json_object_get(json_array_get(probes, 0), "side")), "left");
+    CHECK_NEAR(json_real_value(json_array_get(json_object_get(probe, "y"), 200)),
+               results.motion.displacement[200 * 4 + 3], 0.0);
+    json_decref(object);
+    pdmc_results_clear(&results);
+    results = made_up_results(made_up_small);
+    object = parsed(&results);
+    assert_string_equal(json_string_value(json_object_get(object, "kind")), "static");
+    assert_null(json_object_get(object, "motion"));
+    json_decref(object);
+    pdmc_results_clear(&results);
+}
+
 static void what_is_no_number_is_null(void **state)
 {
     (void)state;
@@ -112,8 +138,11 @@ static void refused_memory_is_reported(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_has_what_programs_ask),        cmocka_unit_test(what_is_no_number_is_null),
-        cmocka_unit_test(odd_texts_and_seeds_are_written), cmocka_unit_test(a_full_disk_is_seen),
+        cmocka_unit_test(it_has_what_programs_ask),
+        cmocka_unit_test(what_is_no_number_is_null),
+        cmocka_unit_test(odd_texts_and_seeds_are_written),
+        cmocka_unit_test(a_full_disk_is_seen),
+        cmocka_unit_test(a_motion_is_there_where_there_is_one),
         cmocka_unit_test(refused_memory_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

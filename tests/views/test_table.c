@@ -50,6 +50,28 @@ static void it_says_what_a_person_asks(void **state)
     pdmc_results_clear(&results);
 }
 
+static void a_motion_ends_somewhere(void **state)
+{
+    (void)state;
+    pdmc_results results = made_up_results(made_up_motion);
+    results.status = PDMC_RUN_INTERRUPTED;
+    char *text = captured(pdmc_view_table, &results);
+    const char *const parts[] = {
+        "INTERRUPTED: these are the steps",
+        "a motion of 200 time steps",
+        "at 30 ms, load factor 1",
+        "work 1.004 = kinetic 6.1e-05 + elastic 0.5037 + dissipated 0.4999 N cm",
+        "  probe1          left           0         0",
+        "probes, in cm and ms",
+    };
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++)
+        if (!strstr(text, parts[i])) fail_msg("the table does not say \"%s\":\n%s", parts[i], text);
+    assert_null(strstr(text, "P(G"));
+    check_width(text);
+    free(text);
+    pdmc_results_clear(&results);
+}
+
 static void scale_energies(pdmc_results *results, double factor)
 {
     for (int m = 0; m < PDMC_MEASURES; m++)
@@ -90,6 +112,7 @@ static void odd_results_are_shown(void **state)
     const made_up_size sizes[] = {
         {0},
         {.cracks = 1},
+        {.times = 1, .probes = 1},
         {.cracks = 1, .angles = 5, .samples = 3, .failed = 3, .radial_bins = 1, .histogram_bins = 1},
     };
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
@@ -140,9 +163,13 @@ static void numbers_have_a_point_in_every_locale(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_says_what_a_person_asks), cmocka_unit_test(it_fits_whatever_the_numbers),
-        cmocka_unit_test(odd_results_are_shown),      cmocka_unit_test(texts_cannot_drive_the_terminal),
-        cmocka_unit_test(a_full_disk_is_seen),        cmocka_unit_test(numbers_have_a_point_in_every_locale),
+        cmocka_unit_test(it_says_what_a_person_asks),
+        cmocka_unit_test(it_fits_whatever_the_numbers),
+        cmocka_unit_test(a_motion_ends_somewhere),
+        cmocka_unit_test(odd_results_are_shown),
+        cmocka_unit_test(texts_cannot_drive_the_terminal),
+        cmocka_unit_test(a_full_disk_is_seen),
+        cmocka_unit_test(numbers_have_a_point_in_every_locale),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

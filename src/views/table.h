@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// What the parts of the table share.
+
+#include "views/views_impl.h"
+
+enum { PDMC_BRIEF_SIZE = 32, PDMC_LINE_SIZE = 99 };
+
+/// A number short enough for a column; a dash where there is none.
+const char *pdmc_brief(char text[PDMC_BRIEF_SIZE], double x);
+
+/// A text of the results as part of one line: what would move the cursor of a terminal becomes a space.
+const char *pdmc_one_line(char text[PDMC_LINE_SIZE], const char *from);
+
+/// What a dynamic study has: its last state, its probes, and the balance of its energy.
+void pdmc_table_motion(const pdmc_results *r, FILE *stream);
