@@ -46,14 +46,14 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-void progress_start(bool quiet, progress *state)
+void progress_start(bool quiet, const char *what, progress *state)
 {
     const char *terminal = getenv("TERM");
-    *state = (progress){.quiet = quiet};
+    *state = (progress){.quiet = quiet, .what = what};
     state->live = !quiet && isatty(STDERR_FILENO) && terminal && strcmp(terminal, "dumb") != 0;
     const int skip = state->live ? 0 : 1; // the line end that leaves the live line
     if (!quiet) {
-        notes[0] = "\npdmc: stopping: the samples under way are finished, then everything is saved; two more "
+        notes[0] = "\npdmc: stopping: what is under way is finished, then everything is saved; two more "
                    "interrupts leave at once and save nothing\n" +
                    skip;
         notes[1] = "\npdmc: still stopping; one more interrupt leaves at once and saves nothing\n" + skip;
@@ -66,7 +66,7 @@ static void draw(progress *state, int done, int total)
     char text[80], left[40] = "";
     const double seconds = done > 0 ? (now() - state->begin) * (total - done) / done : 0.0;
     if (seconds >= 1.0) snprintf(left, sizeof left, ", about %.0f s left", seconds);
-    snprintf(text, sizeof text, "%d of %d samples%s", done, total, left);
+    snprintf(text, sizeof text, "%d of %d %s%s", done, total, state->what, left);
     if (state->live) fprintf(stderr, "\r%-60s", done > 0 ? text : "preparing the solver");
     else if (done > 0) fprintf(stderr, "%s\n", text);
     state->line_open = state->live;

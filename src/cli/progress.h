@@ -8,11 +8,13 @@ typedef struct {
     bool quiet, live; // live: one line that is redrawn; otherwise a line for each tenth
     bool line_open;
     int tenth;
-    double begin; // when sampling began, s
+    const char *what; // is counted: "samples", "time steps"
+    double begin;     // when the counting began, s
 } progress;
 
-/// Catches SIGINT, SIGTERM and SIGHUP: the first stops the run after the samples under way, the third leaves at once.
-void progress_start(bool quiet, progress *state);
+/// Catches SIGINT, SIGTERM and SIGHUP: the first stops the run after what is under way, the third leaves at once.
+/// @param[in] what  is counted, for people
+void progress_start(bool quiet, const char *what, progress *state);
 
 /// A pdmc_run_options.progress with a progress as its context.
 bool progress_show(void *context, int done, int total);

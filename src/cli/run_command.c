@@ -23,6 +23,8 @@ static pdmc_status read_study(const arguments *given, pdmc_study *study)
 {
     pdmc_status status = pdmc_study_read(given->input, study);
     if (status != PDMC_OK) return status;
+    if (study->problem.kind == PDMC_DYNAMIC && (given->has_seed || given->samples > 0) && !given->quiet)
+        fprintf(stderr, "pdmc: warning: a dynamic study draws no samples, their number and seed change nothing\n");
     if (given->has_seed) study->problem.sampling.seed = given->seed;
     if (given->samples > 0) study->problem.sampling.samples = given->samples;
     if (given->has_seed || given->samples > 0) status = pdmc_study_resolve(study);
@@ -45,13 +47,21 @@ static void print_results(const pdmc_results *results, const char *path)
     fprintf(stderr, "written: %s\n", path);
 }
 
+// What a run counts.
+static const char *counted(pdmc_problem_kind kind)
+{
+    return kind == PDMC_STATIC ? "samples" : "time steps";
+}
+
 static int write_results(const arguments *given, const pdmc_results *results, const char *path)
 {
     const pdmc_status status = pdmc_results_write(results, path, given->force);
     if (status != PDMC_OK) return fail(status);
     if (!given->quiet) print_results(results, path);
     if (results->status != PDMC_RUN_INTERRUPTED) return EX_OK;
-    fprintf(stderr, "pdmc: interrupted: the first %d samples are saved in %s\n", results->sample_count, path);
+    const bool is_static = results->kind == PDMC_STATIC;
+    fprintf(stderr, "pdmc: interrupted: the first %d %s are saved in %s\n",
+            is_static ? results->sample_count : results->motion.time_count - 1, counted(results->kind), path);
     return EX_TEMPFAIL;
 }
 
@@ -71,7 +81,7 @@ static int run_study(const arguments *given, const pdmc_study *study, const char
     const pdmc_run_options options = {.threads = thread_count(given), .progress = progress_show, .context = &state};
     const pdmc_cost cost = pdmc_run_cost(&study->problem, options.threads);
     if (!given->quiet) warn_of_memory(&cost);
-    progress_start(given->quiet, &state);
+    progress_start(given->quiet, counted(study->problem.kind), &state);
     const pdmc_status status = pdmc_run(study, &options, &results);
     progress_end(&state);
     const int code = status == PDMC_OK ? write_results(given, &results, path) : fail(status);

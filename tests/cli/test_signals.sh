@@ -33,7 +33,7 @@ finish() {
     [ "$code" -eq "$1" ] || fail "exit $code, not $1: $(cat err)"
 }
 
-stopping='pdmc: stopping: the samples under way are finished, then everything is saved; two more interrupts leave at'
+stopping='pdmc: stopping: what is under way is finished, then everything is saved; two more interrupts leave at'
 for signal in INT TERM HUP; do
     start long.cfg
     wait_for '64 of 640 samples'
