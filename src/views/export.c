@@ -10,7 +10,7 @@
 
 /// The units that stand in the header lines.
 typedef struct {
-    char energy[PDMC_UNIT_SIZE], density[PDMC_UNIT_SIZE], stress_intensity[PDMC_UNIT_SIZE];
+    char energy[PDMC_UNIT_SIZE], density[PDMC_UNIT_SIZE], stress_intensity[PDMC_UNIT_SIZE], work[PDMC_UNIT_SIZE];
 } csv_units;
 
 typedef void csv_writer(const pdmc_results *r, const csv_units *units, FILE *stream);
@@ -199,6 +199,39 @@ static void write_energy_samples(const pdmc_results *r, const csv_units *units, 
             }
 }
 
+static void write_motion_header(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    static const char *const energies[] = {"kinetic", "elastic", "dissipated", "work"};
+    char column[sizeof r->motion.probes->name + PDMC_UNIT_SIZE];
+    snprintf(column, sizeof column, "time[%s]", r->time_unit);
+    put_text(stream, column);
+    fputs(",load_factor", stream);
+    for (size_t i = 0; i < sizeof energies / sizeof energies[0]; i++) put_column(stream, energies[i], units->work);
+    for (int p = 0; p < r->motion.probe_count; p++)
+        for (int k = 0; k < 2; k++) {
+            snprintf(column, sizeof column, "%s.%c", r->motion.probes[p].name, "xy"[k]);
+            put_column(stream, column, r->length_unit);
+        }
+    fputc('\n', stream);
+}
+
+static void write_motion(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    const pdmc_motion_record *m = &r->motion;
+    write_motion_header(r, units, stream);
+    for (int i = 0; i < m->time_count; i++) {
+        fprintf(stream, "%.17g", m->time[i]);
+        put_number(stream, m->load_factor[i]);
+        put_number(stream, m->kinetic[i]);
+        put_number(stream, m->elastic[i]);
+        put_number(stream, m->dissipated[i]);
+        put_number(stream, m->work[i]);
+        for (int p = 0; p < m->probe_count; p++)
+            for (int k = 0; k < 2; k++) put_number(stream, pdmc_probe_displacement(m, i, p)[k]);
+        fputc('\n', stream);
+    }
+}
+
 /// Writes through a stream of its own, since the descriptor belongs to the file.
 static pdmc_status write_stream(pdmc_whole_file *file, const pdmc_results *r, const csv_units *units, csv_writer *write)
 {
@@ -239,28 +272,41 @@ static bool energies_are_few(const pdmc_results *r)
     return (double)r->sample_count * r->tip_count * r->angle_count <= 1e6;
 }
 
+typedef struct {
+    const char *name;
+    csv_writer *write;
+    bool of_motion; // of a dynamic study, and not of a static one
+} csv_file;
+
+static const csv_file files[] = {
+    {"pdf.csv", write_pdf, false},
+    {"quantiles.csv", write_quantiles, false},
+    {"direction.csv", write_direction, false},
+    {"samples.csv", write_samples, false},
+    {"energy_samples.csv", write_energy_samples, false},
+    {"motion.csv", write_motion, true},
+};
+
+static bool is_wanted(const pdmc_results *r, const csv_file *file)
+{
+    if (file->write == write_energy_samples && !energies_are_few(r)) return false;
+    return file->of_motion == (r->kind == PDMC_DYNAMIC);
+}
+
 pdmc_status pdmc_view_export(const pdmc_results *results, const char *folder)
 {
-    static const struct {
-        const char *name;
-        csv_writer *write;
-    } files[] = {
-        {"pdf.csv", write_pdf},
-        {"quantiles.csv", write_quantiles},
-        {"direction.csv", write_direction},
-        {"samples.csv", write_samples},
-        {"energy_samples.csv", write_energy_samples},
-    };
-    const size_t all = sizeof files / sizeof files[0], count = energies_are_few(results) ? all : all - 1;
     pdmc_status status = PDMC_OK;
     pdmc_locale locale = {0};
     csv_units units;
     pdmc_results_unit(results, PDMC_UNIT_ENERGY, sizeof units.energy, units.energy);
     pdmc_results_unit(results, PDMC_UNIT_DENSITY, sizeof units.density, units.density);
+    pdmc_results_unit(results, PDMC_UNIT_WORK, sizeof units.work, units.work);
     pdmc_results_unit(results, PDMC_UNIT_STRESS_INTENSITY, sizeof units.stress_intensity, units.stress_intensity);
     PDMC_TRY(pdmc_locale_plain(&locale));
     PDMC_TRY(pdmc_folder_make(folder));
-    for (size_t i = 0; i < count; i++) PDMC_TRY(export_file(results, &units, folder, files[i].name, files[i].write));
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++)
+        if (is_wanted(results, &files[i]))
+            PDMC_TRY(export_file(results, &units, folder, files[i].name, files[i].write));
 
 done:
     pdmc_locale_restore(&locale);

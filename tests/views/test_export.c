@@ -57,6 +57,21 @@ static void every_number_has_its_row(void **state)
     scratch_empty(scratch);
 }
 
+static void a_motion_has_a_row_for_each_time(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_results(made_up_motion);
+    CHECK_OK(pdmc_view_export(&r, scratch_path("csv")));
+    check_table(
+        "motion.csv",
+        "time[ms],load_factor,kinetic[N cm],elastic[N cm],dissipated[N cm],work[N cm],probe1.x[cm],probe1.y[cm],"
+        "probe2.x[cm],probe2.y[cm]\n",
+        201);
+    pdmc_results_clear(&r);
+    assert_int_equal(scratch_empty(scratch_path("csv")), 1);
+    scratch_empty(scratch);
+}
+
 static void numbers_survive_exactly(void **state)
 {
     (void)state;
@@ -128,9 +143,10 @@ static void a_bad_folder_is_named(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_number_has_its_row),     cmocka_unit_test(numbers_survive_exactly),
-        cmocka_unit_test(commas_and_quotes_are_quoted), cmocka_unit_test(too_many_energies_are_left_to_the_file),
-        cmocka_unit_test(odd_results_are_exported),     cmocka_unit_test(a_bad_folder_is_named),
+        cmocka_unit_test(every_number_has_its_row),         cmocka_unit_test(numbers_survive_exactly),
+        cmocka_unit_test(commas_and_quotes_are_quoted),     cmocka_unit_test(too_many_energies_are_left_to_the_file),
+        cmocka_unit_test(odd_results_are_exported),         cmocka_unit_test(a_bad_folder_is_named),
+        cmocka_unit_test(a_motion_has_a_row_for_each_time),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }
