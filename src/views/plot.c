@@ -3,7 +3,15 @@
 #include "views/plots.h"
 
 /// One picture of what a study has, by what it is of.
-typedef enum { OF_DENSITY, OF_QUANTILES, OF_DIRECTION, OF_MICROMODULUS, OF_PLATE } subject;
+typedef enum {
+    OF_DENSITY,
+    OF_QUANTILES,
+    OF_DIRECTION,
+    OF_MICROMODULUS,
+    OF_ENERGIES,
+    OF_DISPLACEMENTS,
+    OF_PLATE
+} subject;
 
 static void draw(const pdmc_results *r, subject of, int tip, pdmc_measure measure, const pdmc_figure *figure)
 {
@@ -12,6 +20,8 @@ static void draw(const pdmc_results *r, subject of, int tip, pdmc_measure measur
     case OF_QUANTILES: pdmc_draw_quantiles(r, tip, measure, figure); break;
     case OF_DIRECTION: pdmc_draw_direction(r, tip, figure); break;
     case OF_MICROMODULUS: pdmc_draw_micromodulus(r, figure); break;
+    case OF_ENERGIES: pdmc_draw_motion_energies(r, figure); break;
+    case OF_DISPLACEMENTS: pdmc_draw_motion_displacements(r, figure); break;
     case OF_PLATE: pdmc_draw_plate(r, figure); break;
     }
 }
@@ -57,6 +67,16 @@ done:
     return status;
 }
 
+static pdmc_status plot_motion(const pdmc_results *r, const char *folder)
+{
+    pdmc_status status = PDMC_OK;
+    PDMC_TRY(plot(r, folder, "motion_energies", OF_ENERGIES, 0, r->measure));
+    if (r->motion.probe_count > 0) PDMC_TRY(plot(r, folder, "motion_displacements", OF_DISPLACEMENTS, 0, r->measure));
+
+done:
+    return status;
+}
+
 pdmc_status pdmc_view_plot(const pdmc_results *results, const char *folder)
 {
     pdmc_status status = PDMC_OK;
@@ -67,6 +87,7 @@ pdmc_status pdmc_view_plot(const pdmc_results *results, const char *folder)
         for (int t = 0; t < results->tip_count; t++) PDMC_TRY(plot_tip(results, folder, t));
     if (results->bin_count > 0 && results->sample_count > 0)
         PDMC_TRY(plot(results, folder, "micromodulus", OF_MICROMODULUS, 0, results->measure));
+    if (results->motion.time_count > 0) PDMC_TRY(plot_motion(results, folder));
     PDMC_TRY(plot(results, folder, "plate", OF_PLATE, 0, results->measure));
 
 done:

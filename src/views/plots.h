@@ -17,5 +17,11 @@ void pdmc_draw_direction(const pdmc_results *r, int tip, const pdmc_figure *figu
 /// The micromodulus of the first sample over the length of a bond.
 void pdmc_draw_micromodulus(const pdmc_results *r, const pdmc_figure *figure);
 
+/// Work, elastic, kinetic and dissipated energy over time.
+void pdmc_draw_motion_energies(const pdmc_results *r, const pdmc_figure *figure);
+
+/// The displacements of the probes over time.
+void pdmc_draw_motion_displacements(const pdmc_results *r, const pdmc_figure *figure);
+
 /// The plate, its cracks, and its displaced nodes and crack faces.
 void pdmc_draw_plate(const pdmc_results *r, const pdmc_figure *figure);

@@ -66,11 +66,26 @@ static void every_picture_is_drawn(void **state)
     pdmc_results_clear(&results);
 }
 
+static void a_motion_is_drawn(void **state)
+{
+    (void)state;
+    skip_without_gnuplot();
+    pdmc_results results = made_up_results(made_up_motion);
+    strcpy(results.motion.probes[0].name, "it's_{a}");
+    CHECK_OK(pdmc_view_plot(&results, scratch_path("plots")));
+    check_picture("motion_energies");
+    check_picture("motion_displacements");
+    assert_int_equal(scratch_empty(scratch_path("plots")), 6); // and the plate
+    scratch_empty(scratch);
+    pdmc_results_clear(&results);
+}
+
 static void odd_results_are_drawn(void **state)
 {
     (void)state;
     const made_up_size sizes[] = {
         {0},
+        {.times = 1, .probes = 1},
         {.cracks = 1, .angles = 1, .samples = 2, .failed = 2, .histogram_bins = 1},
         {.cracks = 1, .angles = 3, .samples = 1, .radial_bins = 1, .histogram_bins = 0},
     };
@@ -156,9 +171,10 @@ static void refused_memory_is_reported(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_picture_is_drawn),           cmocka_unit_test(odd_results_are_drawn),
-        cmocka_unit_test(texts_are_not_commands),           cmocka_unit_test(a_missing_gnuplot_is_named),
-        cmocka_unit_test(a_failing_gnuplot_leaves_nothing), cmocka_unit_test(refused_memory_is_reported),
+        cmocka_unit_test(every_picture_is_drawn),     cmocka_unit_test(odd_results_are_drawn),
+        cmocka_unit_test(texts_are_not_commands),     cmocka_unit_test(a_motion_is_drawn),
+        cmocka_unit_test(a_missing_gnuplot_is_named), cmocka_unit_test(a_failing_gnuplot_leaves_nothing),
+        cmocka_unit_test(refused_memory_is_reported),
     };
     return cmocka_run_group_tests(tests, keep_path, scratch_remove);
 }
