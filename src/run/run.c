@@ -81,6 +81,7 @@ static pdmc_status estimate_errors(const pdmc_problem *problem, int threads, pdm
     pdmc_discretisation plate = {0};
     coarse.kansa.spacing *= 1.25;
     coarse.kansa.shape *= 1.25;
+    coarse.kansa.refinement = (int)fmax(0.8 * coarse.kansa.refinement, 2.0);
     PDMC_TRY(pdmc_discretise(&coarse, threads, &plate));
     for (int t = 0; t < results->tip_count; t++) {
         pdmc_tip *tip = &results->tips[t], other;

@@ -32,20 +32,22 @@ static pdmc_status check_spacing(const pdmc_study_reader *reader)
     return PDMC_OK;
 }
 
-/// Beyond these bounds the analytic crack fields are no longer those of the horizon: at 0.8 a the stress intensity
-/// factor was 33 % off.
+/// Beyond half of a the analytic crack fields are no longer those of the horizon: at 0.8 a the stress intensity factor was
+/// 33 % off. With bonds that are really cut any horizon has its solution, but beyond a no contour round a tip is left on
+/// which the field is that of local elasticity.
 static pdmc_status check_horizon(const pdmc_study_reader *reader)
 {
     const pdmc_problem *p = reader->problem;
-    const double horizon = p->kansa.horizon;
-    const double by_crack = 0.5 * pdmc_study_shortest_half_crack(p);
+    const bool is_visible = p->kansa.crack_model == PDMC_CRACKS_VISIBLE;
+    const double horizon = p->kansa.horizon, half_crack = pdmc_study_shortest_half_crack(p);
+    const double by_crack = is_visible ? half_crack : 0.5 * half_crack;
     const double by_plate = 0.3 * fmin(p->plate.width, p->plate.height);
     if (!(horizon <= pdmc_study_with_rounding(by_crack)))
         return pdmc_study_refuse(
-            reader, at("horizon"),
-            "%g is too large, must be at most %g, half of the shortest crack's half length: beyond it "
-            "stress intensity factors are wrong while the residual stays small (33 %% at 0.8)",
-            horizon, by_crack);
+            reader, at("horizon"), "%g is too large, must be at most %g, %s", horizon, by_crack,
+            is_visible ? "the shortest crack's half length: beyond it there are no stress intensity factors"
+                       : "half of the shortest crack's half length: beyond it stress intensity factors "
+                         "are wrong while the residual stays small (33 % at 0.8)");
     if (!(horizon <= pdmc_study_with_rounding(by_plate)))
         return pdmc_study_refuse(reader, at("horizon"), "%g is too large, must be at most %g, 0.3 of the shorter side",
                                  horizon, by_plate);
@@ -64,6 +66,7 @@ static void warn_of_shape(const pdmc_study_reader *reader)
 {
     const pdmc_kansa_options *kansa = &reader->problem->kansa;
     const double ratio = kansa->shape / kansa->spacing;
+    if (kansa->crack_model != PDMC_CRACKS_ANALYTIC) return;
     if (pdmc_study_with_rounding(ratio) < 2.0 || ratio > pdmc_study_with_rounding(8.0))
         pdmc_study_warn(reader, at("shape"),
                         "%g is %g spacings: advised are 2 to 8, less is inaccurate, more is near singular",

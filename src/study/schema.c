@@ -56,6 +56,7 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define QUANTITIES CHOICES("micromodulus", "load")
 #define DISTRIBUTIONS CHOICES("normal", "lognormal")
 #define SWITCH CHOICES("off", "on")
+#define STENCILS CHOICES("imq", "polyharmonic")
 #define INVERSES CHOICES("direct", "neumann")
 #define BONDS CHOICES("all", "tensile")
 #define MEASURES CHOICES("bond", "griffith")
@@ -105,8 +106,9 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_SOLVER, "method", KIND_CHOICE, .offset = NOT_STORED, .choices = CHOICES("kansa"),
      .planned = CHOICES("bond"), .fallback = "kansa", .doc = "least-squares collocation"},
     {SECTION_SOLVER, "crack_model", KIND_CHOICE, .offset = IN_PROBLEM(kansa.crack_model),
-     .choices = CHOICES("analytic", "paper"), .planned = CHOICES("visible"), .fallback = "analytic",
-     .doc = "analytic crack fields, the local limit; or the recipe of Evangelatos & Spanos, which does not converge"},
+     .choices = CHOICES("analytic", "paper", "visible"), .fallback = "analytic",
+     .doc = "analytic fields, the local limit; the recipe of Evangelatos & Spanos, which does not converge; or visible "
+            "nodes, bonds of the horizon that cracks cut"},
     {SECTION_SOLVER, "spacing", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(kansa.spacing),
      .derive = pdmc_study_default_spacing, .fallback = "min(width, height) / 20",
      .doc = "h of the collocation nodes; unknowns grow as 1/h^2, cost as 1/h^6"},
@@ -126,6 +128,10 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_SOLVER, "edge_layer", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(kansa.edge_layer),
      .derive = pdmc_study_default_edge_layer, .fallback = "horizon / 5",
      .doc = "of the paper's cracks: thickness e of the layer that tractions act on, as forces sigma / e"},
+    {SECTION_SOLVER, "refinement", KIND_INT, .range = FROM_TO(2, 16), .offset = IN_PROBLEM(kansa.refinement),
+     .fallback = "6", .doc = "nodes a horizon near cracks, where they are visible"},
+    {SECTION_SOLVER, "stencil", KIND_CHOICE, .offset = IN_PROBLEM(kansa.stencil), .choices = STENCILS, .fallback = "imq",
+     .doc = "radial function between visible nodes: inverse multiquadric, or r^3"},
 
     {SECTION_DYNAMICS, "density", KIND_REAL, UNIT_MASS_DENSITY, POSITIVE, IN_PROBLEM(dynamics.density),
      .doc = "mass of a unit of volume"},
@@ -189,7 +195,8 @@ const pdmc_study_setting pdmc_study_settings[] = {
 // A choice is stored as an int.
 _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == sizeof(int) &&
                    sizeof(pdmc_quantity) == sizeof(int) && sizeof(pdmc_distribution_kind) == sizeof(int) &&
-                   sizeof(pdmc_inverse) == sizeof(int) && sizeof(pdmc_switch) == sizeof(int) && sizeof(pdmc_bonds) == sizeof(int) &&
+                   sizeof(pdmc_inverse) == sizeof(int) && sizeof(pdmc_switch) == sizeof(int) &&
+                   sizeof(pdmc_stencil_kind) == sizeof(int) && sizeof(pdmc_bonds) == sizeof(int) &&
                    sizeof(pdmc_measure) == sizeof(int) && sizeof(pdmc_problem_kind) == sizeof(int) &&
                    sizeof(pdmc_face) == sizeof(int),
                "enumerations of another size");

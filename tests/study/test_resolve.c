@@ -16,7 +16,7 @@ static const char everything[] =
     "supports = ( { side = \"left\"; x = 0; y = 1e-3; }, { side = \"right\"; y = -0.125; } );\n"
     "solver = { method = \"kansa\"; crack_model = \"analytic\"; spacing = 0.30000000000000004; horizon = 0.07;\n"
     "           shape = 1.7; polynomial_degree = 2; crack_orders = 8; radial_points = 4;\n"
-    "           tip_functions = \"off\"; edge_layer = 0.01; };\n"
+    "           tip_functions = \"off\"; edge_layer = 0.01; refinement = 5; stencil = \"polyharmonic\"; };\n"
     "random = ( { quantity = \"load\"; distribution = \"lognormal\"; variation = 0.15; },\n"
     "           { quantity = \"micromodulus\"; model = \"radial_noise\"; bins = 17; variation = 0.05; } );\n"
     "sampling = { samples = 12345; inverse = \"direct\"; order = 2; };\n"
