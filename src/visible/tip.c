@@ -87,7 +87,7 @@ static double contour_radius(const pdmc_visible *visible, const tip_frame *frame
         const pdmc_cuts other = {1, &visible->cuts.cut[c]};
         if (c != crack) room = fmin(room, pdmc_cuts_distance(&other, frame->position));
     }
-    const double wanted = fmax(0.75 * frame->half_length, 2.0 * visible->problem->kansa.horizon);
+    const double wanted = fmax(frame->half_length, 2.0 * visible->problem->kansa.horizon);
     return fmin(wanted, 0.8 * fmin(room, 2.0 * frame->half_length));
 }
 

@@ -9,30 +9,32 @@ static void make_loaded(plate *p, double angle, double horizon)
     plate_crack(p, 0.0, 0.0, 0.5, angle);
 }
 
-// The factors of the field beyond the horizon tend to those of the local limit with the horizon; at both tips and
-// in both modes.
+// The factors of the field beyond the horizon tend to those of the local limit with the horizon; K_II is less certain.
 static void stress_intensity_has_its_local_limit(void **state)
 {
     (void)state;
     const struct {
-        double angle, horizon, excess, tolerance;
-    } cases[4] = {
-        {0.0, 0.05, 0.0025, 0.002}, {0.0, 0.15, 0.0075, 0.003}, {0.0, 0.3, 0.019, 0.006}, {0.6, 0.15, 0.0075, 0.004}};
+        double angle, horizon, excess[2], tolerance;
+    } cases[4] = {{0.0, 0.05, {0.0025, 0.0}, 0.002},
+                  {0.0, 0.15, {0.0075, 0.0}, 0.003},
+                  {0.0, 0.3, {0.02, 0.0}, 0.005},
+                  {0.6, 0.15, {0.0075, 0.021}, 0.004}};
     for (int i = 0; i < 4; i++) {
-        plate p;
+        plate p, small;
         pdmc_visible *visible = NULL;
         pdmc_kansa *local = NULL;
         make_loaded(&p, cases[i].angle, cases[i].horizon);
         CHECK_OK(pdmc_visible_create(&p.problem, NULL, 1, &visible));
-        p.problem.kansa.horizon = 0.1;
-        CHECK_OK(pdmc_kansa_create(&p.problem, NULL, 1, &local));
+        make_loaded(&small, cases[i].angle, 0.1);
+        CHECK_OK(pdmc_kansa_create(&small.problem, NULL, 1, &local));
         for (int t = 0; t < 2; t++) {
             pdmc_tip tip, limit;
             CHECK_OK(pdmc_visible_tip(visible, t, &tip));
             CHECK_OK(pdmc_kansa_tip(local, t, &limit));
-            const double want = 1.0 + cases[i].excess, *K = limit.stress_intensity;
-            CHECK_NEAR(tip.stress_intensity[0], want * K[0], cases[i].tolerance * K[0]);
-            CHECK_NEAR(tip.stress_intensity[1], want * K[1], cases[i].tolerance * K[0]);
+            for (int k = 0; k < 2; k++) {
+                const double want = (1.0 + cases[i].excess[k]) * limit.stress_intensity[k];
+                CHECK_NEAR(tip.stress_intensity[k], want, cases[i].tolerance * limit.stress_intensity[0]);
+            }
             CHECK_NEAR(tip.direction, limit.direction, 1e-12);
             CHECK_NEAR(hypot(tip.position[0] - limit.position[0], tip.position[1] - limit.position[1]), 0.0, 1e-12);
             assert_string_equal(tip.name, limit.name);
