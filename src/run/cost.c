@@ -15,8 +15,10 @@ static const double seconds_per_bond = 0.4e-9, seconds_per_bond_direction = 0.02
 static const double seconds_per_distribution = 1.7e-3;                                // intervals of a histogram
 static const double seconds_per_sorted_value = 25e-9;                                 // times log2 of their number
 static const double seconds_per_byte = 5e-9;                                          // of the result file
+static const double seconds_per_step_value = 3e-9;                                    // of a matrix, in a time step
 static const double bytes_of_program = 15e6;
 
+static const double area_points = 25.0;   // of the weak form's rule, to a node: 14 to 38 for plates of 121 to 676 nodes
 static const double response_size = 28.0; // dimension of the response space, as measured
 
 // The collocation, as counted in src/kansa/points.c, with all points of the rings round the cracks.
@@ -44,6 +46,7 @@ typedef struct {
     double rings;                                  // on which the operator is assembled
     double terms;                                  // rings with a random coefficient
     double directions, dimension, samples, solved; // solved: samples with a solution of their own, by direct solves
+    double steps;                                  // of time, in a dynamic study
     double threads;
 } amounts;
 
@@ -53,6 +56,7 @@ static amounts count_all(const pdmc_problem *problem, int threads)
     amounts a = {.threads = threads, .rings = problem->kansa.radial_points, .samples = problem->sampling.samples};
     a.fine = count(problem, problem->kansa.spacing);
     a.coarse = count(problem, 1.25 * problem->kansa.spacing);
+    a.steps = problem->kind == PDMC_DYNAMIC ? pdmc_problem_steps(problem) : 0.0;
     a.terms = noise ? a.rings : 0.0;
     a.directions = problem->energy.tip_count * (double)problem->energy.angles;
     a.dimension = noise ? response_size : 2.0;
@@ -77,15 +81,23 @@ static double seconds_to_sample(const amounts *a)
     return fmin(rounds * PDMC_BLOCK, a->samples) * (solve + a->directions * PDMC_CROSSING_BONDS * bond);
 }
 
+// Three rows of the strain and two of the displacement at each point, whitened and squared; then the steps, on one thread.
+static double seconds_to_move(const amounts *a)
+{
+    const double n = a->fine.unknowns, rows = 5.0 * area_points * a->fine.nodes;
+    if (a->steps == 0.0) return 0.0;
+    return seconds_per_flop * 3.0 * rows * n * n / a->threads + seconds_per_step_value * a->steps * n * n;
+}
+
 static double seconds_to_summarise(const amounts *a)
 {
     const double sorted = a->samples * log2(1.0 + a->samples);
     return PDMC_MEASURES * a->directions * (seconds_per_distribution + seconds_per_sorted_value * sorted) / a->threads;
 }
 
-static double bytes_of_results(const amounts *a, double bins)
+static double bytes_of_results(const amounts *a, double bins, double probes)
 {
-    return 8.0 * a->samples * (PDMC_MEASURES * a->directions + bins);
+    return 8.0 * a->steps * (6.0 + 2.0 * probes) + 8.0 * a->samples * (PDMC_MEASURES * a->directions + bins);
 }
 
 static double seconds_in_all(const amounts *a, double file)
@@ -96,7 +108,7 @@ static double seconds_in_all(const amounts *a, double file)
     const double operators = seconds_per_word_value * a->terms * n * a->fine.rows;
     const double crossings = seconds_per_bond_value * a->directions * PDMC_CROSSING_BONDS * n / a->threads;
     return seconds_to_solve(a, &a->fine) + errors + operators + whitened + crossings + seconds_to_sample(a) +
-           seconds_to_summarise(a) + seconds_per_byte * file;
+           seconds_to_move(a) + seconds_to_summarise(a) + seconds_per_byte * file;
 }
 
 // Rings, Q and R.
@@ -105,8 +117,8 @@ static double numbers_kept(const amounts *a, const sizes *s)
     return s->unknowns * (a->rings * s->interior + s->rows + s->unknowns);
 }
 
-// The largest of three moments: both solutions at once, the samples, and the result file, which is made in memory when
-// everything else has gone.
+// The largest of these moments: both solutions at once, the samples or the time steps, and the result file, which is made
+// in memory when everything else has gone.
 static double bytes_at_most(const amounts *a, double file)
 {
     const double n = a->fine.unknowns;
@@ -114,14 +126,15 @@ static double bytes_at_most(const amounts *a, double file)
     const double direct = a->solved > 0.0 ? n * (a->terms * a->fine.interior + a->threads * a->fine.rows) : 0.0;
     const double crossings = a->directions * PDMC_CROSSING_BONDS * a->dimension + a->threads * PDMC_CROSSING_BONDS * n;
     const double solving = 8.0 * fmax(coarse, n * a->fine.rows), sampling = 8.0 * (direct + crossings) + file;
-    return bytes_of_program + fmax(2.0 * file, 8.0 * numbers_kept(a, &a->fine) + fmax(solving, sampling));
+    const double moving = a->steps > 0.0 ? 8.0 * 3.0 * n * n + file : 0.0; // mass, stiffness, and the factor of a step
+    return bytes_of_program + fmax(2.0 * file, 8.0 * numbers_kept(a, &a->fine) + fmax(moving, fmax(solving, sampling)));
 }
 
 pdmc_cost pdmc_run_cost(const pdmc_problem *problem, int threads)
 {
     const amounts a = count_all(problem, threads);
     const pdmc_uncertainty *noise = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_MICROMODULUS);
-    const double file = bytes_of_results(&a, noise ? noise->bins : 0.0);
+    const double file = bytes_of_results(&a, noise ? noise->bins : 0.0, problem->probe_count);
     return (pdmc_cost){
         .nodes = (int)a.fine.nodes,
         .unknowns = (int)a.fine.unknowns,

@@ -126,6 +126,25 @@ static void a_stopped_motion_is_a_prefix(void **state)
     pdmc_results_clear(&full);
 }
 
+// Within the order of it: sanitizers and loaded machines are slow.
+static void the_cost_counts_steps(void **state)
+{
+    (void)state;
+    const pdmc_run_options options = {.threads = 1};
+    pdmc_study study;
+    pdmc_results r;
+    read_dynamic("dynamics = { density = 1.0; step = 0.1; duration = 100.0; };", &study);
+    const pdmc_cost cost = pdmc_run_cost(&study.problem, 1);
+    CHECK_OK(pdmc_run(&study, &options, &r));
+    const double times = r.runtime.total / cost.seconds;
+    if (!(0.1 < times && times < 50.0)) fail_msg("took %g times the estimate", times);
+    assert_int_equal(cost.nodes, r.solver.nodes);
+    study.problem.dynamics.duration = 10000.0;
+    assert_true(pdmc_run_cost(&study.problem, 1).seconds > 10.0 * cost.seconds);
+    pdmc_results_clear(&r);
+    pdmc_study_clear(&study);
+}
+
 static void nothing_to_save(void **state)
 {
     (void)state;
@@ -145,6 +164,7 @@ int main(void)
         cmocka_unit_test(a_damped_plate_settles_and_balances),
         cmocka_unit_test(the_history_scales_the_motion),
         cmocka_unit_test(a_stopped_motion_is_a_prefix),
+        cmocka_unit_test(the_cost_counts_steps),
         cmocka_unit_test(nothing_to_save),
     };
     return cmocka_run_group_tests(tests, enter_folder, leave_folder);

@@ -100,6 +100,8 @@ static void motions_that_cannot_be_integrated(void **state)
          "study.cfg:6: dynamics.step: 1e-07 makes 1e+07 steps of the duration, must be at most 1e+06"},
         {DYNAMICS "\nsupports = ( { side = \"left\"; x = 0.1; } );",
          "study.cfg:7: supports[0].x: must be 0 in a dynamic study: sides that are moved are not available yet"},
+        {DYNAMICS "\nsolver = { crack_model = \"paper\"; };",
+         "study.cfg:7: solver.crack_model: has no motion yet, must be \"analytic\" in a dynamic study"},
         {DYNAMICS "\nhistory = ( { time = -1; factor = 0; } );",
          "study.cfg:7: history[0].time: -1 is not allowed, must be >= 0"},
         {DYNAMICS "\nhistory = ( { time = 1; factor = 0; },\n { time = 1; factor = 1; } );",
