@@ -26,7 +26,7 @@ typedef struct {
     /// The affine model of the problem's uncertain quantities; the method must outlive it.
     pdmc_status (*affine)(const void *method, pdmc_affine *model);
     void (*destroy)(void *method);
-    /// The model of the plate's motion for the inertia of pdmc_motion_inertia(); NULL where the method does not give it.
+    /// The model of the plate's motion for the inertia of pdmc_motion_inertia(); NULL where the method has none.
     pdmc_status (*motion)(const void *method, double inertia, pdmc_motion_model *model);
     /// The rows [2, unknowns] that give the displacement at x, u and v, of a state of that motion; the anchor as above.
     pdmc_status (*motion_rows)(const void *method, const double x[2], const double anchor[2], double row[]);

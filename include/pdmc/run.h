@@ -12,11 +12,11 @@ typedef struct {
     double bytes, seconds; // of memory and of wall time, within a factor of two or so
 } pdmc_cost;
 
-/// Discretises the problem and solves for the mean; then solves for every sample and summarises, or integrates the motion
-/// of a dynamic study and records it step by step.
+/// Discretises the problem and solves for the mean; then solves for every sample and summarises, or integrates the
+/// motion of a dynamic study and records it step by step.
 /// @param[out] results  free with pdmc_results_clear(); zero on failure
-/// `options->progress` counts samples, or the time steps of a dynamic study; it is called with 0 done as well, before and
-/// between what comes before them.
+/// `options->progress` counts samples, or the time steps of a dynamic study; it is called with 0 done as well, before
+/// and between what comes before them.
 /// @return PDMC_OK (also when stopped early, see pdmc_monte_carlo()), PDMC_ERR_INTERRUPTED when stopped before there is
 /// anything to save, or the failure of a step
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options,

@@ -81,7 +81,7 @@ static double seconds_to_sample(const amounts *a)
     return fmin(rounds * PDMC_BLOCK, a->samples) * (solve + a->directions * PDMC_CROSSING_BONDS * bond);
 }
 
-// Three rows of the strain and two of the displacement at each point, whitened and squared; then the steps, on one thread.
+// Three rows of the strain and two of the displacement at each point, whitened and squared; then steps on one thread.
 static double seconds_to_move(const amounts *a)
 {
     const double n = a->fine.unknowns, rows = 5.0 * area_points * a->fine.nodes;
@@ -117,8 +117,8 @@ static double numbers_kept(const amounts *a, const sizes *s)
     return s->unknowns * (a->rings * s->interior + s->rows + s->unknowns);
 }
 
-// The largest of these moments: both solutions at once, the samples or the time steps, and the result file, which is made
-// in memory when everything else has gone.
+// The largest of these moments: both solutions at once, the samples or the time steps, and the result file, which is
+// made in memory when everything else has gone.
 static double bytes_at_most(const amounts *a, double file)
 {
     const double n = a->fine.unknowns;

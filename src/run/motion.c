@@ -94,7 +94,7 @@ done:
     return status;
 }
 
-// Energies of the model are those of a unit of thickness. At the start nothing is loaded yet, whatever the history says.
+// The model's energies are those of a unit of thickness. At the start nothing is loaded yet, whatever the history says.
 static bool record_state(void *context, const pdmc_motion_state *state)
 {
     recorder *r = context;

@@ -45,7 +45,7 @@ static double largest(const pdmc_motion_record *m, int probe, int component)
     return most;
 }
 
-// A component that is nothing but rounding, or nearly, is not drawn: a plate that is pulled along y has u_x of no interest.
+// A component that is next to nothing is not drawn: of a plate that is pulled along y, u_x is of no interest.
 static double least_shown(const pdmc_motion_record *m)
 {
     double most = 0.0;
