@@ -35,10 +35,16 @@ void pdmc_paper_basis_clear(pdmc_paper_basis *basis)
     *basis = (pdmc_paper_basis){0};
 }
 
+// On a grid many segments between nodes pass through a tip, where rounding would decide: a tip hides nothing.
 bool pdmc_paper_visible(const pdmc_problem *problem, const double p[2], const double q[2])
 {
-    for (int c = 0; c < problem->crack_count; c++)
-        if (pdmc_segments_cross(p, q, problem->cracks[c].from, problem->cracks[c].to)) return false;
+    const double shorter = 1e-9;
+    for (int c = 0; c < problem->crack_count; c++) {
+        const double *from = problem->cracks[c].from, *to = problem->cracks[c].to;
+        const double d[2] = {shorter * (to[0] - from[0]), shorter * (to[1] - from[1])};
+        const double a[2] = {from[0] + d[0], from[1] + d[1]}, b[2] = {to[0] - d[0], to[1] - d[1]};
+        if (pdmc_segments_cross(p, q, a, b)) return false;
+    }
     return true;
 }
 

@@ -30,7 +30,7 @@ typedef struct {
 PDMC_NODISCARD pdmc_status pdmc_paper_basis_create(const pdmc_problem *problem, pdmc_paper_basis *basis);
 void pdmc_paper_basis_clear(pdmc_paper_basis *basis);
 
-/// True unless a crack lies between two points.
+/// True unless a crack lies between two points; one that is touched at its tip does not.
 bool pdmc_paper_visible(const pdmc_problem *problem, const double p[2], const double q[2]);
 
 /// Values at x. On a crack the side is chosen by `anchor`, a point close by; elsewhere anchor = x.
