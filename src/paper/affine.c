@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/base_impl.h"
 #include "discretisation/crossings.h"
+#include "discretisation/radial.h"
 #include "discretisation/response.h"
-#include "paper/legendre.h"
 #include "paper/paper_impl.h"
 
 #include <cblas.h>
@@ -85,36 +85,6 @@ done:
     return status;
 }
 
-// xi_p = (2 p + 1) / 2 int_-1^1 eta P_p ds, the Legendre coefficients of the piecewise constant deviation;
-// (2 p + 1) int P_p = P_{p+1} - P_{p-1} between the ends of a bin. E_eff = (pi / 3) int c r^2 dr.
-static pdmc_status fill_weights(pdmc_affine *model)
-{
-    pdmc_status status = PDMC_OK;
-    const int bins = model->bins, terms = model->terms;
-    PDMC_NEW(model->term_weight, bins * terms);
-    PDMC_NEW(model->modulus_weight, bins);
-    for (int b = 0; b < bins; b++) {
-        const double from = (double)b / bins, to = (double)(b + 1) / bins;
-        double lower[PDMC_PAPER_TERMS + 1], upper[PDMC_PAPER_TERMS + 1];
-        pdmc_paper_legendre(terms + 1, 2.0 * from - 1.0, lower);
-        pdmc_paper_legendre(terms + 1, 2.0 * to - 1.0, upper);
-        for (int p = 0; p < terms; p++) {
-            const double below = p > 0 ? upper[p - 1] - lower[p - 1] : 0.0;
-            model->term_weight[b * terms + p] = 0.5 * (upper[p + 1] - lower[p + 1] - below);
-        }
-        model->modulus_weight[b] = to * to * to - from * from * from;
-    }
-done:
-    return status;
-}
-
-// Five standard deviations of each coefficient.
-static void expected_sizes(const pdmc_affine *model, double variation, double size[PDMC_PAPER_TERMS])
-{
-    for (int p = 0; p < model->terms; p++)
-        size[p] = 5.0 * variation * cblas_dnrm2(model->bins, &model->term_weight[p], model->terms);
-}
-
 static pdmc_status find_response(const pdmc_affine *model, double variation, expanded_operator *expansion)
 {
     pdmc_status status = PDMC_OK;
@@ -126,7 +96,7 @@ static pdmc_status find_response(const pdmc_affine *model, double variation, exp
         memcpy(&start[l * n], paper->load[l], n * sizeof *start);
         norm += cblas_dnrm2((int)n, paper->load[l], 1);
     }
-    expected_sizes(model, variation, size);
+    pdmc_radial_sizes(model, variation, size);
     const pdmc_response_operator operator= {paper->unknowns,    model->terms, size,     norm,
                                             response_tolerance, apply_term,   expansion};
     PDMC_TRY(pdmc_response_create(&operator, 2, start, &expansion->response));
@@ -151,7 +121,7 @@ static pdmc_status create_operator(const pdmc_paper *paper, pdmc_affine *model)
     model->bins = noise ? noise->bins : 1;
     model->terms = noise ? paper->terms : 0;
     expansion->paper = paper;
-    PDMC_TRY(fill_weights(model));
+    PDMC_TRY(pdmc_radial_weights(model));
     PDMC_TRY(find_response(model, noise ? noise->variation : 0.0, expansion));
     model->unknowns = expansion->response.dimension;
     for (int l = 0; l < 2; l++) {

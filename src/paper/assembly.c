@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/base_impl.h"
+#include "discretisation/radial.h"
 #include "paper/disc.h"
-#include "paper/legendre.h"
 #include "paper/paper_impl.h"
 
 #include <cblas.h>
@@ -51,7 +51,7 @@ static void fill_weights(const pdmc_paper *paper, workspace *work)
         const pdmc_paper_bond *bond = &work->disc.bond[b];
         const double *e = bond->direction, tensor[3] = {e[0] * e[0], e[0] * e[1], e[1] * e[1]};
         double polynomial[PDMC_PAPER_TERMS];
-        pdmc_paper_legendre(paper->terms, 2.0 * bond->length / horizon - 1.0, polynomial);
+        pdmc_legendre(paper->terms, 2.0 * bond->length / horizon - 1.0, polynomial);
         for (int p = 0; p < paper->terms; p++)
             for (int k = 0; k < 3; k++)
                 work->weight[(3 * p + k) * bonds + b] = c * bond->weight * polynomial[p] * tensor[k];

@@ -3,6 +3,7 @@
 
 #include "base/base_impl.h"
 #include "discretisation/crossings.h"
+#include "discretisation/radial.h"
 #include "discretisation/response.h"
 #include "visible/rows.h"
 #include "visible/system.h"
@@ -80,50 +81,6 @@ static pdmc_status apply(void *context, int q, int count, const double v[], doub
     return status;
 }
 
-// values[p] = P_p(x), p <= degree
-static void legendre(int degree, double x, double values[])
-{
-    values[0] = 1.0;
-    values[1] = x;
-    for (int p = 2; p <= degree; p++) values[p] = ((2 * p - 1) * x * values[p - 1] - (p - 1) * values[p - 2]) / p;
-}
-
-// The coefficients of P_p(2 s - 1) in the function that is 1 in a bin of s = r / delta and 0 elsewhere,
-//     (2 p + 1) int_bin P_p(2 s - 1) ds = [P_(p + 1) - P_(p - 1)] / 2 between the bin's ends.
-static void bin_coefficients(int bins, int bin, double coefficient[PDMC_VISIBLE_DEGREE + 1])
-{
-    double low[PDMC_VISIBLE_DEGREE + 2], high[PDMC_VISIBLE_DEGREE + 2];
-    legendre(PDMC_VISIBLE_DEGREE + 1, 2.0 * bin / bins - 1.0, low);
-    legendre(PDMC_VISIBLE_DEGREE + 1, 2.0 * (bin + 1) / bins - 1.0, high);
-    coefficient[0] = 1.0 / bins;
-    for (int p = 1; p <= PDMC_VISIBLE_DEGREE; p++)
-        coefficient[p] = 0.5 * (high[p + 1] - low[p + 1] - high[p - 1] + low[p - 1]);
-}
-
-static pdmc_status fill_weights(pdmc_affine *model)
-{
-    pdmc_status status = PDMC_OK;
-    PDMC_NEW(model->term_weight, model->bins * model->terms);
-    PDMC_NEW(model->modulus_weight, model->bins);
-    for (int b = 0; b < model->bins; b++) {
-        double coefficient[PDMC_VISIBLE_DEGREE + 1];
-        bin_coefficients(model->bins, b, coefficient);
-        for (int p = 0; p <= PDMC_VISIBLE_DEGREE; p++) {
-            if (model->terms > 0) model->term_weight[b * model->terms + p] = coefficient[p];
-            model->modulus_weight[b] += coefficient[p] * pdmc_visible_share(p);
-        }
-    }
-done:
-    return status;
-}
-
-// Five standard deviations of each coefficient.
-static void expected_sizes(const pdmc_affine *model, double variation, double size[PDMC_VISIBLE_DEGREE + 1])
-{
-    for (int p = 0; p < model->terms; p++)
-        size[p] = 5.0 * variation * cblas_dnrm2(model->bins, &model->term_weight[p], model->terms);
-}
-
 static pdmc_status find_response(const pdmc_visible *visible, const pdmc_affine *model, const double size[],
                                  response_model *made)
 {
@@ -156,8 +113,8 @@ static pdmc_status create_model(const pdmc_visible *visible, pdmc_affine *model)
     made->visible = visible;
     model->bins = noise ? noise->bins : 1;
     model->terms = visible->terms;
-    PDMC_TRY(fill_weights(model));
-    expected_sizes(model, noise ? noise->variation : 0.0, size);
+    PDMC_TRY(pdmc_radial_weights(model));
+    pdmc_radial_sizes(model, noise ? noise->variation : 0.0, size);
     PDMC_TRY(find_response(visible, model, size, made));
     model->unknowns = made->response.dimension;
     for (int l = 0; l < 2; l++) {

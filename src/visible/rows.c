@@ -2,6 +2,7 @@
 #include "visible/rows.h"
 
 #include "base/base_impl.h"
+#include "discretisation/radial.h"
 
 #include <math.h>
 #include <string.h>
@@ -47,14 +48,6 @@ static void empty(pdmc_disc_sum *sum)
     sum->status = PDMC_OK;
 }
 
-// The factor of each plane.
-static void legendre(int planes, double s, double factor[])
-{
-    factor[0] = 1.0;
-    for (int p = 0; p + 1 < planes; p++)
-        factor[p + 1] = p == 0 ? 1.0 : p == 1 ? s : ((2 * p - 1) * s * factor[p] - (p - 1) * factor[p - 1]) / p;
-}
-
 static double *place_of(pdmc_disc_sum *sum, int node)
 {
     if (sum->place[node] == 0) {
@@ -84,7 +77,8 @@ static void add_point(void *context, const pdmc_disc_point *point)
     const pdmc_visible *visible = sum->visible;
     double factor[PDMC_VISIBLE_DEGREE + 2], f[3 * (PDMC_VISIBLE_DEGREE + 2)], weight[PDMC_STENCIL_NODES];
     const double c = point->cosine, s = point->sine;
-    legendre(sum->planes, 2.0 * point->r / sum->rule.radius - 1.0, factor);
+    factor[0] = 1.0;
+    if (sum->planes > 1) pdmc_legendre(sum->planes - 1, 2.0 * point->r / sum->rule.radius - 1.0, factor + 1);
     for (int p = 0; p < sum->planes; p++) {
         f[3 * p] = point->weight * factor[p] * c * c;
         f[3 * p + 1] = point->weight * factor[p] * c * s;
