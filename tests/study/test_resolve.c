@@ -99,13 +99,16 @@ static void defaults_survive(void **state)
     pdmc_study_clear(&study);
 }
 
-static void the_first_study_survives(void **state)
+static void shipped_studies_survive(void **state)
 {
     (void)state;
-    pdmc_study study;
-    CHECK_OK(pdmc_study_read(STUDIES "/center_crack/study.cfg", &study));
-    expect_round_trip(&study);
-    pdmc_study_clear(&study);
+    const char *const paths[] = {STUDIES "/center_crack/study.cfg", STUDIES "/sudden_load/study.cfg"};
+    for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++) {
+        pdmc_study study;
+        CHECK_OK(pdmc_study_read(paths[i], &study));
+        expect_round_trip(&study);
+        pdmc_study_clear(&study);
+    }
 }
 
 static void a_dynamic_study_survives(void **state)
@@ -229,7 +232,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_setting_survives),
         cmocka_unit_test(defaults_survive),
-        cmocka_unit_test(the_first_study_survives),
+        cmocka_unit_test(shipped_studies_survive),
         cmocka_unit_test(a_dynamic_study_survives),
         cmocka_unit_test(changes_are_written),
         cmocka_unit_test(units_stand_beside_the_numbers),

@@ -118,10 +118,9 @@ static void *malloc_until(size_t size)
 }
 
 /// jansson has its own memory: each of its allocations is refused in turn.
-static void refused_memory_is_reported(void **state)
+static void refuse_memory(made_up_size size)
 {
-    (void)state;
-    pdmc_results results = made_up_results((made_up_size){.cracks = 1, .angles = 2, .samples = 3, .histogram_bins = 1});
+    pdmc_results results = made_up_results(size);
     FILE *stream = fopen("/dev/null", "w");
     pdmc_status status = PDMC_ERR_NOMEM;
     json_set_alloc_funcs(malloc_until, free);
@@ -133,6 +132,13 @@ static void refused_memory_is_reported(void **state)
     if (status != PDMC_OK) fail_msg("%s", pdmc_last_error());
     fclose(stream);
     pdmc_results_clear(&results);
+}
+
+static void refused_memory_is_reported(void **state)
+{
+    (void)state;
+    refuse_memory((made_up_size){.cracks = 1, .angles = 2, .samples = 3, .histogram_bins = 1});
+    refuse_memory((made_up_size){.times = 2, .probes = 2});
 }
 
 int main(void)
