@@ -4,6 +4,7 @@
 #include "base/base_impl.h"
 #include "pdmc/geometry.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 
 static void fill_tip(const pdmc_crack *crack, int end, pdmc_paper_tip_frame *tip)
@@ -57,13 +58,13 @@ static double offset(const pdmc_paper_tip_frame *tip, const double x[2])
 static double polar_angle(const pdmc_paper_tip_frame *tip, const double x[2], const double anchor[2], double r,
                           int *side)
 {
-    const double pi = 3.14159265358979323846, tolerance = 1e-12 * r;
+    const double tolerance = 1e-12 * r;
     const double along = tip->cosine * (x[0] - tip->position[0]) + tip->sine * (x[1] - tip->position[1]);
     const double y = offset(tip, x), anchor_y = offset(tip, anchor);
     *side = 1;
     if (along > 0.0 || fabs(y) > tolerance) return atan2(y, along);
     *side = (anchor_y > tolerance) - (anchor_y < -tolerance);
-    return *side * pi;
+    return *side * M_PI;
 }
 
 static void tip_values(const pdmc_paper_tip_frame *tip, double scale, const double x[2], const double anchor[2],

@@ -4,10 +4,9 @@
 #include "base/base_impl.h"
 #include "pdmc/quadrature.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
-
-static const double pi = 3.14159265358979323846;
 
 // Gauss points of a panel, which is a quarter of the disc or less: K of polynomials up to degree 4 to rounding, and
 // Legendre polynomials of degree 10 in the radius times a smooth field.
@@ -62,7 +61,7 @@ double pdmc_paper_reach(const pdmc_problem *problem, double horizon, const doubl
 static void add_part(pdmc_paper_disc *disc, int *parts, double dx, double dy)
 {
     const double theta = atan2(dy, dx);
-    disc->part[(*parts)++] = theta < 0.0 ? theta + 2.0 * pi : theta;
+    disc->part[(*parts)++] = theta < 0.0 ? theta + 2.0 * M_PI : theta;
 }
 
 // The two points of the circle on the line through x + (px, py) along the unit vector (tx, ty), where they lie between
@@ -105,7 +104,7 @@ static int ascending(const void *a, const void *b)
 static int find_parts(pdmc_paper_disc *disc, const double x[2])
 {
     int parts = 0;
-    for (int quarter = 0; quarter <= 3; quarter++) disc->part[parts++] = 0.5 * pi * quarter;
+    for (int quarter = 0; quarter <= 3; quarter++) disc->part[parts++] = 0.5 * M_PI * quarter;
     add_plate(disc, &parts, x);
     for (int c = 0; c < disc->problem->crack_count; c++) {
         const pdmc_crack *crack = &disc->problem->cracks[c];
@@ -113,7 +112,7 @@ static int find_parts(pdmc_paper_disc *disc, const double x[2])
         add_part(disc, &parts, crack->to[0] - x[0], crack->to[1] - x[1]);
         add_segment(disc, &parts, x, crack->from, crack->to);
     }
-    disc->part[parts++] = 2.0 * pi;
+    disc->part[parts++] = 2.0 * M_PI;
     qsort(disc->part, (size_t)parts, sizeof *disc->part, ascending);
     return parts;
 }

@@ -3,6 +3,7 @@
 #include "paper/paper_impl.h"
 
 #include <cblas.h>
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -63,7 +64,7 @@ pdmc_status pdmc_paper_stress_intensity_rows(const pdmc_paper *paper, int tip, d
     const pdmc_paper_basis *basis = &paper->basis;
     const pdmc_crack *crack = &paper->problem->cracks[tip / 2];
     const double d[2] = {crack->to[0] - crack->from[0], crack->to[1] - crack->from[1]}, length = hypot(d[0], d[1]);
-    const double t[2] = {d[0] / length, d[1] / length}, pi = 3.14159265358979323846;
+    const double t[2] = {d[0] / length, d[1] / length};
     const int scalars = basis->scalars;
     double r[OPENINGS], weight[OPENINGS], *right = NULL, *jump = NULL;
     PDMC_NEW(right, scalars);
@@ -72,7 +73,7 @@ pdmc_status pdmc_paper_stress_intensity_rows(const pdmc_paper *paper, int tip, d
     for (int i = 0; i < OPENINGS; i++) {
         jump_values(basis, crack, tip % 2 ? 1.0 - 0.5 * r[i] : 0.5 * r[i], right, jump);
         const double factor =
-            weight[i] * pdmc_plane_modulus(&paper->problem->material) / 8.0 * sqrt(2.0 * pi / (0.5 * length * r[i]));
+            weight[i] * pdmc_plane_modulus(&paper->problem->material) / 8.0 * sqrt(2.0 * M_PI / (0.5 * length * r[i]));
         cblas_daxpy(scalars, -factor * t[1], jump, 1, row_1, 1);
         cblas_daxpy(scalars, factor * t[0], jump, 1, row_1 + scalars, 1);
         cblas_daxpy(scalars, factor * t[0], jump, 1, row_2, 1);
@@ -111,9 +112,8 @@ enum { FACE_POINTS = 101 };
 
 static pdmc_status fill_face(const pdmc_paper *paper, int c, pdmc_field *field)
 {
-    const double pi = 3.14159265358979323846;
     for (int i = 0; i < FACE_POINTS; i++) {
-        const double share = 0.5 - 0.5 * cos(pi * i / (FACE_POINTS - 1)) * (1.0 - 1e-12);
+        const double share = 0.5 - 0.5 * cos(M_PI * i / (FACE_POINTS - 1)) * (1.0 - 1e-12);
         const size_t at = (size_t)(c * FACE_POINTS + i);
         for (int face = 0; face < 2; face++) {
             double anchor[2], *x = &field->face_position[2 * at];

@@ -4,7 +4,7 @@
 #include "paper/plate.h"
 #include "pdmc/fracture.h"
 
-static const double pi = 3.14159265358979323846;
+#include <gsl/gsl_math.h>
 
 static void make_noisy(plate *p, int bins, double variation)
 {
@@ -39,7 +39,7 @@ static void factored_rows_give_the_energy_of_the_definition(void **state)
     make_noisy(&p, 5, 0.2);
     make(&p, &paper, &model);
     nominal(&p.problem, &model, PDMC_BONDS_ALL, energy);
-    const double phi = pi / 4.0, x_t[2] = {0.5 + 0.05 * cos(phi), 0.05 * sin(phi)};
+    const double phi = M_PI / 4.0, x_t[2] = {0.5 + 0.05 * cos(phi), 0.05 * sin(phi)};
     CHECK_OK(pdmc_ring_rule_create(PDMC_CROSSING_RINGS, 1, 3, p.problem.energy.horizon, &rings));
     CHECK_OK(pdmc_crossing_bonds(&p.problem, x_t, phi, &rings, &count, bonds));
     for (int b = 0; b < count; b++) {

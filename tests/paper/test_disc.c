@@ -6,7 +6,7 @@
 
 #include "paper/disc.h"
 
-static const double pi = 3.14159265358979323846;
+#include <gsl/gsl_math.h>
 
 static double area(const pdmc_problem *problem, double horizon, const double x[2])
 {
@@ -31,10 +31,10 @@ static void areas_of_discs_that_the_plate_cuts(void **state)
     plate p;
     plate_make(&p, 4.0, 4, 0.5);
     const double d = 0.3, r = 0.5;
-    CHECK_NEAR(area(&p.problem, r, (const double[2]){0.1, 0.2}), pi * r * r, 1e-14);
-    CHECK_NEAR(area(&p.problem, r, (const double[2]){0.3, 2.0}), 0.5 * pi * r * r, 1e-14);
-    CHECK_NEAR(area(&p.problem, r, (const double[2]){-2.0, 2.0}), 0.25 * pi * r * r, 1e-14);
-    CHECK_NEAR(area(&p.problem, r, (const double[2]){2.0 - d, 0.0}), pi * r * r - cap(r, 2.0 * acos(d / r)), 1e-9);
+    CHECK_NEAR(area(&p.problem, r, (const double[2]){0.1, 0.2}), M_PI * r * r, 1e-14);
+    CHECK_NEAR(area(&p.problem, r, (const double[2]){0.3, 2.0}), 0.5 * M_PI * r * r, 1e-14);
+    CHECK_NEAR(area(&p.problem, r, (const double[2]){-2.0, 2.0}), 0.25 * M_PI * r * r, 1e-14);
+    CHECK_NEAR(area(&p.problem, r, (const double[2]){2.0 - d, 0.0}), M_PI * r * r - cap(r, 2.0 * acos(d / r)), 1e-9);
     CHECK_NEAR(area(&p.problem, 10.0, (const double[2]){0.7, -1.1}), 16.0, 1e-5); // secants of up to 80 degrees
 }
 
@@ -48,13 +48,14 @@ static void areas_of_discs_that_a_crack_cuts(void **state)
     const double *from = p.cracks[0].from, *to = p.cracks[0].to;
     const double angle = atan2(to[1], to[0]) - atan2(from[1], from[0]);
     const double triangle = 0.5 * fabs(from[0] * to[1] - from[1] * to[0]);
-    const double shadow = 0.5 * fabs(remainder(angle, 2.0 * pi)) * 0.25 - triangle;
-    CHECK_NEAR(area(&p.problem, 0.5, (const double[2]){0.0, 0.0}), pi * 0.25 - shadow, 1e-9);
+    const double shadow = 0.5 * fabs(remainder(angle, 2.0 * M_PI)) * 0.25 - triangle;
+    CHECK_NEAR(area(&p.problem, 0.5, (const double[2]){0.0, 0.0}), M_PI * 0.25 - shadow, 1e-9);
 
     plate_make(&p, 4.0, 4, 0.5); // a crack longer than the disc cuts off a cap
     plate_crack(&p, 0.0, 0.2, 1.5, 0.0);
-    CHECK_NEAR(area(&p.problem, 0.5, (const double[2]){0.0, 0.0}), pi * 0.25 - cap(0.5, 2.0 * acos(0.4)), 1e-9);
-    CHECK_NEAR(area(&p.problem, 0.5, (const double[2]){0.3, 0.2 + 1e-9}), pi * 0.125, 1e-8); // at its face: half a disc
+    CHECK_NEAR(area(&p.problem, 0.5, (const double[2]){0.0, 0.0}), M_PI * 0.25 - cap(0.5, 2.0 * acos(0.4)), 1e-9);
+    CHECK_NEAR(area(&p.problem, 0.5, (const double[2]){0.3, 0.2 + 1e-9}), M_PI * 0.125,
+               1e-8); // at its face: half a disc
 }
 
 // Eq. A.8 sums steps dtheta along the crack, eq. A.9 gives the radius there; the curve tends to r(theta) with order 1.
@@ -112,7 +113,7 @@ static void closed_forms_of_whole_discs(void **state)
     const double scale = pow(horizon, 3);
     for (int q = 0; q < 4; q++)
         for (int k = 0; k < 3; k++)
-            CHECK_NEAR(K[q][k], q == 3 && k == 1 ? 0.25 * pi * scale / 3.0 : 0.0, 1e-13 * scale);
+            CHECK_NEAR(K[q][k], q == 3 && k == 1 ? 0.25 * M_PI * scale / 3.0 : 0.0, 1e-13 * scale);
     pdmc_paper_disc_clear(&disc);
 }
 
@@ -136,7 +137,7 @@ static void closed_forms_of_a_quarter(void **state)
         sum[3] += w * r * r * pow(e[0], 3) * e[1];
     }
     const double r2 = horizon * horizon / 2.0, r3 = pow(horizon, 3) / 3.0;
-    const double exact[4] = {2.0 / 3.0 * r2, r2 / 3.0, pi / 16.0 * r3, 0.25 * r3};
+    const double exact[4] = {2.0 / 3.0 * r2, r2 / 3.0, M_PI / 16.0 * r3, 0.25 * r3};
     for (int k = 0; k < 4; k++) CHECK_NEAR(sum[k], exact[k], 1e-13 * r2);
     pdmc_paper_disc_clear(&disc);
 }

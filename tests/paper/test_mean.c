@@ -7,7 +7,7 @@
 
 #include "paper/disc.h"
 
-static const double pi = 3.14159265358979323846;
+#include <gsl/gsl_math.h>
 
 static void elongation(const pdmc_paper *paper, double half, double strain[2])
 {
@@ -64,8 +64,8 @@ static void one_element_has_a_closed_form(void **state)
     pdmc_paper *paper = solved(&p);
     double strain[2];
     elongation(paper, 0.5, strain);
-    CHECK_NEAR(strain[1], 20.0 * pi / 9.0 / 1.5, 1e-11);
-    CHECK_NEAR(strain[0], -10.0 * pi / 9.0 / 1.5, 1e-11);
+    CHECK_NEAR(strain[1], 20.0 * M_PI / 9.0 / 1.5, 1e-11);
+    CHECK_NEAR(strain[0], -10.0 * M_PI / 9.0 / 1.5, 1e-11);
     for (int k = 0; k < 4; k++) {
         CHECK_NEAR(paper->coefficients[k], 0.0, 1e-13);
         CHECK_NEAR(paper->coefficients[paper->basis.scalars + k], 0.0, 1e-13);
@@ -129,7 +129,7 @@ static void the_fit_finds_the_opening_of_a_tip_function(void **state)
     assert_non_null(row);
     CHECK_OK(pdmc_paper_stress_intensity_rows(paper, 1, row, row + paper->unknowns));
     const int q6 = paper->basis.nodes.count + 4 + 4 + 1, scalars = paper->basis.scalars; // of the second tip
-    const double K = 2.0 * sqrt(2.0 * pi) / 8.0 / sqrt(2.5);
+    const double K = 2.0 * sqrt(2.0 * M_PI) / 8.0 / sqrt(2.5);
     CHECK_NEAR(row[q6], -K * sin(0.3), 1e-9);
     CHECK_NEAR(row[scalars + q6], K * cos(0.3), 1e-9);
     CHECK_NEAR(row[paper->unknowns + q6], K * cos(0.3), 1e-9);
