@@ -146,7 +146,8 @@ static void evaluate_crack(const pdmc_basis *basis, const pdmc_crack_frame *crac
     double complex f = 1.0;
     for (int m = 1; m <= basis->orders; m++) {
         f *= at.w;
-        const double complex d = conj(-m * f / at.root), g = conj(f);
+        // At a tip f' is infinite, but y f' is 0.
+        const double complex d = at.root == 0.0 ? 0.0 : conj(-m * f / at.root), g = conj(f);
         const double complex field[4] = {kappa * f - 2.0 * I * y * d, I * kappa * f - 2.0 * y * d, -g, -I * g};
         store_fields(field, turn, &u[4 * (m - 1)], &v[4 * (m - 1)]);
     }

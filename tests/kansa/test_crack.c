@@ -175,6 +175,25 @@ static void gradients_are_those_of_the_values(void **state)
     pdmc_basis_clear(&basis);
 }
 
+// The derivative of the crack fields is infinite at a tip, the displacement is not: it is continuous there. The grid of
+// many a study has a node on a tip.
+static void the_displacement_at_a_tip_is_finite(void **state)
+{
+    (void)state;
+    plate p;
+    pdmc_kansa *kansa = NULL;
+    plate_make_cracked(&p, 0.5, 0.0, 10);
+    CHECK_OK(pdmc_kansa_create(&p.problem, NULL, 2, &kansa));
+    for (int end = -1; end <= 1; end += 2) {
+        const double tip[2] = {0.5 * end, 0.0}, ahead[2] = {0.5 * end + 1e-10 * end, 0.0};
+        double u[2], near[2];
+        CHECK_OK(pdmc_kansa_displacement(kansa, tip, tip, u));
+        CHECK_OK(pdmc_kansa_displacement(kansa, ahead, ahead, near));
+        for (int k = 0; k < 2; k++) CHECK_NEAR(u[k], near[k], 1e-4); // sqrt(1e-10) times a slope of some K / E
+    }
+    pdmc_kansa_destroy(&kansa);
+}
+
 // A collocation that cannot be solved says so.
 static void a_singular_system_is_refused(void **state)
 {
@@ -206,6 +225,7 @@ int main(void)
         cmocka_unit_test(t_stress_of_a_small_crack),
         cmocka_unit_test(collinear_cracks),
         cmocka_unit_test(gradients_are_those_of_the_values),
+        cmocka_unit_test(the_displacement_at_a_tip_is_finite),
         cmocka_unit_test(a_singular_system_is_refused),
         cmocka_unit_test(refused_allocations_are_reported),
     };
