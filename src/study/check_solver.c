@@ -32,9 +32,9 @@ static pdmc_status check_spacing(const pdmc_study_reader *reader)
     return PDMC_OK;
 }
 
-/// Beyond half of a the analytic crack fields are no longer those of the horizon: at 0.8 a the stress intensity factor was
-/// 33 % off. With bonds that are really cut any horizon has its solution, but beyond a no contour round a tip is left on
-/// which the field is that of local elasticity.
+/// Beyond half of a the analytic crack fields are no longer those of the horizon: at 0.8 a the stress intensity factor
+/// was 33 % off. With bonds that are really cut any horizon has its solution, but beyond a no contour round a tip is
+/// left on which the field is that of local elasticity.
 static pdmc_status check_horizon(const pdmc_study_reader *reader)
 {
     const pdmc_problem *p = reader->problem;

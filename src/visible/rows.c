@@ -185,8 +185,8 @@ double pdmc_visible_share(int p)
     return p < 3 ? share[p] : 0.0;
 }
 
-// sigma(u) n with sigma_x = mu (3 u_x + v_y), sigma_y = mu (u_x + 3 v_y), tau = mu (u_y + v_x): Hooke's law of a bond-based
-// material, lambda = mu, in both plane assumptions. One row of the block from the gradient's coefficients.
+// sigma(u) n with sigma_x = mu (3 u_x + v_y), sigma_y = mu (u_x + 3 v_y), tau = mu (u_y + v_x): Hooke's law of a
+// bond-based material, lambda = mu, in both plane assumptions. One row of the block from the gradient's coefficients.
 static void traction_row(const pdmc_visible *visible, const double normal[2], int component, double gx, double gy,
                          double row[2])
 {

@@ -7,8 +7,8 @@
 
 enum { PDMC_VISIBLE_DEGREE = 10 }; // of the expansion of c(r) in Legendre polynomials
 
-/// Scratch for sums over a disc, for one thread: D = int int f e e^T dr dtheta and int int f e e^T u(x + r e) dr dtheta as
-/// sum_k B_k u_k + known, f = 1 in plane 0, P_p(2 r / delta - 1) in plane 1 + p. Blocks are symmetric: xx, xy, yy.
+/// Scratch for sums over a disc, for one thread: D = int int f e e^T dr dtheta and int int f e e^T u(x + r e) dr dtheta
+/// as sum_k B_k u_k + known, f = 1 in plane 0, P_p(2 r / delta - 1) in plane 1 + p. Blocks are symmetric: xx, xy, yy.
 typedef struct {
     const pdmc_visible *visible;
     int planes;
@@ -32,8 +32,8 @@ PDMC_NODISCARD pdmc_status pdmc_disc_sum_take(pdmc_disc_sum *sum, const pdmc_vie
 /// The equations of a node of the plate, c_0 h (D u - int int e e^T u), and their right-hand side.
 PDMC_NODISCARD pdmc_status pdmc_visible_force_row(pdmc_disc_sum *sum, int node, pdmc_block_row *row, double load[2]);
 
-/// The equations of a ghost: its side's tractions, or displacements times E / h where they are held. Tractions scale with
-/// the effective modulus, to which each plane has its share.
+/// The equations of a ghost: its side's tractions, or displacements times E / h where they are held. Tractions scale
+/// with the effective modulus, to which each plane has its share.
 /// @param[out] held, load  [2] right-hand sides
 PDMC_NODISCARD pdmc_status pdmc_visible_edge_row(const pdmc_visible *visible, int ghost, pdmc_block_row *row,
                                                  double held[2], double load[2]);

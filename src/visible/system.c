@@ -33,7 +33,8 @@ static void add_row(const pdmc_visible *visible, const double xi[], int i, pdmc_
     }
 }
 
-// E / L times the motion: in the row at the ghosts, in the column at the nodes of the plate, by spacing as the equations.
+// E / L times the motion: in the row at the ghosts, in the column at the nodes of the plate, by spacing as the
+// equations.
 static void add_motion(const pdmc_visible *visible, int m, pdmc_triplets *triplets)
 {
     const pdmc_problem *problem = visible->problem;

@@ -10,8 +10,8 @@
 /// @param[out] out  [unknowns]
 void pdmc_visible_product(const pdmc_visible *visible, int plane, const double u[], double out[]);
 
-/// Factors K(xi). Where rigid motions are free, each brings a multiplier: a body force that takes up what the collocation
-/// leaves of the loads' resultant, and a row that fixes the mean of the motion over the ghosts.
+/// Factors K(xi). Where rigid motions are free, each brings a multiplier: a body force that takes up what the
+/// collocation leaves of the loads' resultant, and a row that fixes the mean of the motion over the ghosts.
 /// @param[in]  xi      [terms], or NULL for the mean
 /// @param[out] factor  free with pdmc_factor_clear(); zero on failure
 PDMC_NODISCARD pdmc_status pdmc_visible_factor(const pdmc_visible *visible, const double xi[], pdmc_factor *factor);

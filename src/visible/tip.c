@@ -77,8 +77,8 @@ static void integrand(double mu, const tip_frame *frame, const double a[4], cons
             for (int k = 0; k < 4; k++) factor[2 * i + j] += R[i][k / 2] * R[j][k % 2] * local[k];
 }
 
-// The radius of the contour: beyond the horizon, where the field is that of local elasticity, but clear of other cracks and
-// of the sides.
+// The radius of the contour: beyond the horizon, where the field is that of local elasticity, but clear of other cracks
+// and of the sides.
 static double contour_radius(const pdmc_visible *visible, const tip_frame *frame, int crack)
 {
     const pdmc_plate *plate = &visible->problem->plate;

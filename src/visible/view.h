@@ -36,8 +36,8 @@ void pdmc_cut_global(const pdmc_cut *cut, double along, double across, double x[
 /// Distance from x to the nearest crack, infinite without cracks.
 double pdmc_cuts_distance(const pdmc_cuts *cuts, const double x[2]);
 
-/// Whether the segment between two points meets no crack. A face sees, and is seen from, its own half plane only; points
-/// straight ahead of a tip count to the left, so that no point sees both faces.
+/// Whether the segment between two points meets no crack. A face sees, and is seen from, its own half plane only;
+/// points straight ahead of a tip count to the left, so that no point sees both faces.
 bool pdmc_view_sees(const pdmc_cuts *cuts, const pdmc_view *a, const pdmc_view *b);
 
 /// x as a point to look from: on a face where a crack passes within rounding, the one that `anchor` lies on.

@@ -121,8 +121,8 @@ static void solve(bond_solver *s)
     }
 }
 
-// At nodes next to the crack, ahead of it and away from it. The opening of the crack is 2.1; the largest differences are
-// those close to a tip.
+// At nodes next to the crack, ahead of it and away from it. The opening of the crack is 2.1; the largest differences
+// are those close to a tip.
 static void the_field_is_that_of_bonds(void **state)
 {
     (void)state;

@@ -23,7 +23,8 @@ static double nearest_other(const pdmc_visible_nodes *nodes, int i)
     return least;
 }
 
-// Nodes keep their distance from one another and from cracks, lie inside but for the ghosts, and come in pairs on faces.
+// Nodes keep their distance from one another and from cracks, lie inside but for the ghosts, and come in pairs on
+// faces.
 static void nodes_keep_their_distance(void **state)
 {
     (void)state;

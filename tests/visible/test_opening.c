@@ -66,8 +66,8 @@ static void a_loaded_plate_opens_its_crack_more(void **state)
     for (int i = 0; i < 4; i++) CHECK_NEAR(jump_ratio(tension, 0.0, cases[i][0], 6, false, 1), cases[i][1], 0.004);
 }
 
-// How the nodes lie to the crack does not matter: opening and sliding exceed the local limit by the same ratios whatever
-// its direction. The horizon lets a crack slide far more than open: by 12 % and 2 % at 0.3 a.
+// How the nodes lie to the crack does not matter: opening and sliding exceed the local limit by the same ratios
+// whatever its direction. The horizon lets a crack slide far more than open: by 12 % and 2 % at 0.3 a.
 static void direction_does_not_matter(void **state)
 {
     (void)state;
