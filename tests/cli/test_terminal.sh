@@ -1,7 +1,8 @@
 #!/bin/sh
 # Progress: one line that is redrawn on a terminal, a line for each tenth elsewhere.
 . "$(dirname "$0")/common.sh"
-command -v script >/dev/null || exit 77
+# Skipped where there is no script(1), or no pseudo-terminal to be had, as in a chroot without /dev/pts.
+script -qec true /dev/null >/dev/null 2>&1 </dev/null || exit 77
 
 # on_terminal TERM: leaves what a run prints to a terminal of this kind in the file shown.
 on_terminal() {
