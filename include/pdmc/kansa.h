@@ -62,10 +62,6 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_stress(const pdmc_kansa *kansa, c
 /// @param[in] tip  2 * crack for "from", 2 * crack + 1 for "to"
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_tip(const pdmc_kansa *kansa, int tip, pdmc_tip *out);
 
-/// The nodes and the faces of the cracks with their mean displacement.
-/// @param[out] field  free its arrays with pdmc_free or by pdmc_results_clear()
-PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_field(const pdmc_kansa *kansa, pdmc_field *field);
-
 /// The affine model of the problem's uncertain quantities, in coordinates of the space in which its answers lie, where
 /// the mean operator is the identity; direct solves are made in full and projected.
 /// @param[in]  kansa  must outlive the model

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kansa/method.h"
 
-#include "pdmc/kansa.h"
+#include "base/base_impl.h"
+#include "discretisation/field.h"
+#include "kansa/kansa_impl.h"
 
 static pdmc_solver_report report(const void *method)
 {
@@ -25,7 +27,20 @@ static pdmc_status tip(const void *method, int index, pdmc_tip *out)
 
 static pdmc_status field(const void *method, pdmc_field *out)
 {
-    return pdmc_kansa_field(method, out);
+    pdmc_status status = PDMC_OK;
+    const pdmc_kansa *kansa = method;
+    const pdmc_collocation *points = &kansa->points;
+    const int count = points->columns * points->rows;
+    double *nodes = NULL;
+    PDMC_NEW(nodes, 2 * count);
+    for (int k = 0; k < count; k++) {
+        nodes[2 * k] = (k % points->columns) * points->spacing[0] - 0.5 * kansa->problem->plate.width;
+        nodes[2 * k + 1] = (k / points->columns) * points->spacing[1] - 0.5 * kansa->problem->plate.height;
+    }
+    PDMC_TRY(pdmc_field_fill(kansa->problem, count, nodes, displacement, method, out));
+done:
+    pdmc_free(nodes);
+    return status;
 }
 
 static pdmc_status affine(const void *method, pdmc_affine *model)

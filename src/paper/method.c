@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paper/method.h"
 
+#include "discretisation/field.h"
 #include "paper/paper_impl.h"
 
 static pdmc_solver_report report(const void *method)
@@ -37,7 +38,9 @@ static pdmc_status tip(const void *method, int index, pdmc_tip *out)
 
 static pdmc_status field(const void *method, pdmc_field *out)
 {
-    return pdmc_paper_field(method, out);
+    const pdmc_paper *paper = method;
+    const pdmc_paper_nodes *nodes = &paper->basis.nodes;
+    return pdmc_field_fill(paper->problem, nodes->count, nodes->x, displacement, method, out);
 }
 
 static pdmc_status affine(const void *method, pdmc_affine *model)

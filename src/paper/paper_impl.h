@@ -66,10 +66,6 @@ PDMC_NODISCARD pdmc_status pdmc_paper_stress_intensity_rows(const pdmc_paper *pa
 /// Name, position, direction, K_I and K_II of a tip; T is NaN: the model has no stress.
 PDMC_NODISCARD pdmc_status pdmc_paper_tip(const pdmc_paper *paper, int tip, pdmc_tip *out);
 
-/// The nodes and the faces of the cracks with their mean displacement.
-/// @param[out] field  free its arrays with pdmc_free or by pdmc_results_clear()
-PDMC_NODISCARD pdmc_status pdmc_paper_field(const pdmc_paper *paper, pdmc_field *field);
-
 /// The affine model of the problem's uncertain quantities: c(r) = c_0 (1 + sum_p xi_p P_p(2 r / horizon - 1)), xi_p the
 /// Legendre coefficients of the deviation in its bins. Of many bins only what PDMC_PAPER_TERMS polynomials hold is seen.
 /// @param[in]  paper  must outlive the model
