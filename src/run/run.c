@@ -5,6 +5,7 @@
 #include "pdmc/discretisation.h"
 #include "run/motion.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <time.h>
 
@@ -57,7 +58,6 @@ done:
 static pdmc_status describe_geometry(const pdmc_problem *problem, pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
-    const double pi = 3.14159265358979323846;
     PDMC_NEW(results->cracks, 4 * problem->crack_count);
     PDMC_NEW(results->angles, problem->energy.angles);
     results->crack_count = problem->crack_count;
@@ -68,7 +68,7 @@ static pdmc_status describe_geometry(const pdmc_problem *problem, pdmc_results *
             results->cracks[4 * c + 2 + k] = problem->cracks[c].to[k];
         }
     }
-    for (int a = 0; a < problem->energy.angles; a++) results->angles[a] = 2.0 * pi * a / problem->energy.angles;
+    for (int a = 0; a < problem->energy.angles; a++) results->angles[a] = 2.0 * M_PI * a / problem->energy.angles;
 done:
     return status;
 }

@@ -4,10 +4,9 @@
 #include "base/base_impl.h"
 #include "pdmc/quadrature.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
-
-#define PI 3.14159265358979323846
 
 enum { SECTORS = 12, LEVELS = 5, GRADED = 2 * LEVELS + 1, DIRECTIONS = 6 };
 
@@ -43,15 +42,15 @@ void pdmc_disc_rule_clear(pdmc_disc_rule *rule)
 // An angle in [0, 2 pi).
 static double wrap(double angle)
 {
-    const double turned = fmod(angle, 2.0 * PI);
-    return turned < 0.0 ? turned + 2.0 * PI : turned;
+    const double turned = fmod(angle, 2.0 * M_PI);
+    return turned < 0.0 ? turned + 2.0 * M_PI : turned;
 }
 
 static int add_graded(double breaks[], int count, double angle)
 {
     breaks[count++] = wrap(angle);
     for (int level = 1; level <= LEVELS; level++) {
-        const double step = 2.0 * PI / SECTORS * ldexp(1.0, -level);
+        const double step = 2.0 * M_PI / SECTORS * ldexp(1.0, -level);
         breaks[count++] = wrap(angle + step);
         breaks[count++] = wrap(angle - step);
     }
@@ -67,7 +66,7 @@ static int add_crack(const pdmc_disc_rule *rule, int c, const pdmc_view *centre,
     const double turn = atan2(cut->sine, cut->cosine), reach = rule->radius;
     if (fabs(local[1]) >= reach || fabs(local[0]) >= cut->half_length + reach) return count;
     count = add_graded(breaks, count, turn);
-    count = add_graded(breaks, count, turn + PI);
+    count = add_graded(breaks, count, turn + M_PI);
     if (centre->crack == c) return count;
     const double half = sqrt(reach * reach - local[1] * local[1]);
     for (int end = -1; end <= 1; end += 2) {
@@ -90,12 +89,12 @@ static int find_breaks(pdmc_disc_rule *rule, const pdmc_view *centre)
 {
     double *breaks = rule->breaks;
     int count = 0, kept = 1;
-    for (int i = 0; i < SECTORS; i++) breaks[count++] = 2.0 * PI * i / SECTORS;
+    for (int i = 0; i < SECTORS; i++) breaks[count++] = 2.0 * M_PI * i / SECTORS;
     for (int c = 0; c < rule->cuts->count; c++) count = add_crack(rule, c, centre, breaks, count);
     qsort(breaks, (size_t)count, sizeof *breaks, compare);
     for (int i = 1; i < count; i++)
-        if (breaks[i] - breaks[kept - 1] > 1e-6 && 2.0 * PI - breaks[i] > 1e-6) breaks[kept++] = breaks[i];
-    breaks[kept] = 2.0 * PI;
+        if (breaks[i] - breaks[kept - 1] > 1e-6 && 2.0 * M_PI - breaks[i] > 1e-6) breaks[kept++] = breaks[i];
+    breaks[kept] = 2.0 * M_PI;
     return kept;
 }
 

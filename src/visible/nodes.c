@@ -3,11 +3,10 @@
 
 #include "base/base_impl.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define PI 3.14159265358979323846
 
 static const double growth = 0.15;    // of the spacing with the distance from a crack
 static const double accepted = 0.82;  // distance of two nodes of the inside in spacings, before the repulsion
@@ -67,7 +66,7 @@ static pdmc_status add_tip(maker *m, int c, int end)
     static const struct {
         double radius, step; // in finest spacings, between neighbours in rad
         int pairs;
-    } rings[2] = {{1.0, 2.0 * PI / 7.0, 3}, {1.9, PI / 6.0, 5}};
+    } rings[2] = {{1.0, 2.0 * M_PI / 7.0, 3}, {1.9, M_PI / 6.0, 5}};
     const pdmc_cut *cut = &m->cuts->cut[c];
     pdmc_status status = PDMC_OK;
     for (int i = 0; i < 2; i++) {

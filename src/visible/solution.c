@@ -2,6 +2,7 @@
 #include "base/base_impl.h"
 #include "visible/point.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 
 pdmc_solver_report pdmc_visible_report(const pdmc_visible *visible)
@@ -51,9 +52,9 @@ enum { FACE_POINTS = 101 };
 static pdmc_status fill_face(pdmc_disc_sum *sum, int c, pdmc_field *field)
 {
     const pdmc_cut *cut = &sum->visible->cuts.cut[c];
-    const double pi = 3.14159265358979323846, a = cut->half_length;
+    const double a = cut->half_length;
     for (int i = 0; i < FACE_POINTS; i++) {
-        const double along = -a * cos(pi * i / (FACE_POINTS - 1)) * (1.0 - 1e-6); // a tip itself has two values
+        const double along = -a * cos(M_PI * i / (FACE_POINTS - 1)) * (1.0 - 1e-6); // a tip itself has two values
         const size_t at = (size_t)(c * FACE_POINTS + i);
         double *x = &field->face_position[2 * at];
         pdmc_cut_global(cut, along, 0.0, x);

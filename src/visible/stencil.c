@@ -6,6 +6,7 @@
 #include <cblas.h>
 #include <float.h>
 #include <lapacke.h>
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <string.h>
 
@@ -13,8 +14,6 @@ enum { USUAL = 40, DEGREE = 4 };
 
 static const double shape = 0.5;     // psi / L
 static const double tip_reach = 2.5; // distance from a tip in finest spacings up to which the angle matters
-
-#define PI 3.14159265358979323846
 
 typedef struct {
     const pdmc_stencil_field *field;
@@ -121,7 +120,7 @@ static void other_functions(const pdmc_stencil *stencil, const pdmc_view *view, 
     double local[2];
     from_tip(stencil, view->x, local);
     // a face is at +-pi; which, rounding must not decide
-    const double t = view->side == 0 ? atan2(local[1], local[0]) : view->side * stencil->end * PI;
+    const double t = view->side == 0 ? atan2(local[1], local[0]) : view->side * stencil->end * M_PI;
     angle_functions(t, value + PDMC_STENCIL_MONOMIALS);
 }
 
