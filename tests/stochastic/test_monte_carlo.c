@@ -291,6 +291,26 @@ static void griffith_follows_the_stress_intensity(void **state)
     toy_clear(&t, &r);
 }
 
+// With an effective modulus that follows c, K = modulus x is S whatever c is, as in every plate under tractions, and G = K^2
+// over the sample's own modulus.
+static void stresses_and_energies_take_the_modulus_of_the_sample(void **state)
+{
+    (void)state;
+    toy t;
+    pdmc_results r;
+    toy_make(&t, 0.2, 0.1);
+    t.modulus = 1.0;
+    t.problem.sampling.inverse = PDMC_INVERSE_DIRECT;
+    t.problem.sampling.samples = 50;
+    CHECK_OK(toy_run(&t, &one_thread, &r));
+    for (int s = 0; s < 50; s++) {
+        CHECK_NEAR(r.effective_modulus[s], r.micromodulus[s], 1e-15);
+        CHECK_NEAR(r.stress_intensity[2 * s], r.load_factor[s], 1e-14);
+        CHECK_NEAR(r.energy[PDMC_MEASURE_GRIFFITH][s * ANGLES], pow(r.load_factor[s], 2) / r.micromodulus[s], 1e-13);
+    }
+    toy_clear(&t, &r);
+}
+
 // The bond energy is largest in the last direction; a tie is shared.
 static void the_direction_of_the_largest_energy_is_counted(void **state)
 {
@@ -335,6 +355,7 @@ int main(void)
         cmocka_unit_test(an_early_stop_keeps_what_is_done),
         cmocka_unit_test(the_load_scatters_the_energy_by_its_square),
         cmocka_unit_test(griffith_follows_the_stress_intensity),
+        cmocka_unit_test(stresses_and_energies_take_the_modulus_of_the_sample),
         cmocka_unit_test(the_direction_of_the_largest_energy_is_counted),
         cmocka_unit_test(tensile_bonds_alone_can_be_counted),
     };
