@@ -84,6 +84,7 @@ typedef struct {
 typedef struct {
     double assembly, factorisation, operators, energy_rows, sampling, energy, statistics, output, total; // wall seconds
     double motion; // of a dynamic study: the weak form and the time steps
+    double peak_memory; // largest resident memory of the process until then, bytes; NaN in files that do not hold it
     int threads;
 } pdmc_runtime;
 
@@ -151,6 +152,7 @@ typedef enum {
     PDMC_UNIT_DENSITY,          // length / force, the probability density of an energy
     PDMC_UNIT_STUDY_TIME,       // time, in the study's unit
     PDMC_UNIT_WORK,             // force length
+    PDMC_UNIT_BYTE,             // byte
 } pdmc_unit;
 enum { PDMC_UNIT_SIZE = 160 }; // enough for any unit of a study whose own units have at most 64 characters
 

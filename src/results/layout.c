@@ -4,6 +4,7 @@
 #include <string.h>
 
 #define MOTION "/motion/" // the group that only dynamic studies have
+#define PEAK_MEMORY "/runtime/peak_memory"
 #define MEMBER(name) offsetof(pdmc_results, name)
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
@@ -134,6 +135,7 @@ const pdmc_dataset pdmc_datasets[] = {
     SECONDS(statistics, "the statistics"),
     SECONDS(output, "the output"),
     SECONDS(total, "the whole study"),
+    NUMBER(PEAK_MEMORY, REAL, runtime.peak_memory, BYTE, "largest resident memory of the process that ran the study"),
 };
 const size_t pdmc_dataset_count = COUNT(pdmc_datasets);
 
@@ -217,6 +219,11 @@ size_t pdmc_dimension_size(const pdmc_results *results, pdmc_dimension dimension
 bool pdmc_dataset_belongs(const pdmc_results *results, const pdmc_dataset *dataset)
 {
     return results->kind == PDMC_DYNAMIC || strncmp(dataset->path, MOTION, strlen(MOTION)) != 0;
+}
+
+bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset)
+{
+    return strcmp(dataset->path, PEAK_MEMORY) == 0;
 }
 
 size_t pdmc_dataset_rank(const pdmc_dataset *dataset)

@@ -78,6 +78,9 @@ size_t pdmc_dimension_size(const pdmc_results *results, pdmc_dimension dimension
 /// Whether the file of these results has the dataset: only a dynamic study has a motion.
 bool pdmc_dataset_belongs(const pdmc_results *results, const pdmc_dataset *dataset);
 
+/// Whether files of an earlier minor version are without this number, which is then NaN.
+bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset);
+
 size_t pdmc_dataset_rank(const pdmc_dataset *dataset);
 
 /// How many numbers a dataset holds.

@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -117,8 +118,12 @@ done:
 static pdmc_status read_dataset(hid_t file, pdmc_results *results, bool known[], const pdmc_dataset *dataset)
 {
     pdmc_status status = PDMC_OK;
-    const hid_t object = H5Dopen2(file, dataset->path, H5P_DEFAULT);
-    PDMC_H5_TRY(object, PDMC_ERR_DATA, dataset->path);
+    hid_t object = H5I_INVALID_HID;
+    if (pdmc_dataset_may_be_missing(dataset) && H5Lexists(file, dataset->path, H5P_DEFAULT) == 0) {
+        *(double *)pdmc_dataset_memory(results, dataset) = NAN;
+        return PDMC_OK;
+    }
+    PDMC_H5_TRY(object = H5Dopen2(file, dataset->path, H5P_DEFAULT), PDMC_ERR_DATA, dataset->path);
     PDMC_TRY(read_axes(object, results, known, dataset));
     PDMC_TRY(check_size(file, object, results, dataset));
     PDMC_TRY(check_class(object, dataset));

@@ -44,7 +44,7 @@ void pdmc_results_unit(const pdmc_results *results, pdmc_unit unit, size_t size,
         [PDMC_UNIT_NONE] = "1",     [PDMC_UNIT_ANGLE] = "rad",    [PDMC_UNIT_TIME] = "s",
         [PDMC_UNIT_LENGTH] = "L",   [PDMC_UNIT_STRESS] = "F/L^2", [PDMC_UNIT_STRESS_INTENSITY] = "F/L^(3/2)",
         [PDMC_UNIT_ENERGY] = "F/L", [PDMC_UNIT_DENSITY] = "L/F",  [PDMC_UNIT_STUDY_TIME] = "T",
-        [PDMC_UNIT_WORK] = "F L",
+        [PDMC_UNIT_WORK] = "F L",     [PDMC_UNIT_BYTE] = "byte",
     };
     size_t used = 0;
     for (const char *p = patterns[unit]; *p; p++) {

@@ -215,6 +215,7 @@ static json_t *runtime(const pdmc_runtime *t)
     put(&object, "motion", number(t->motion));
     put(&object, "output", number(t->output));
     put(&object, "total", number(t->total));
+    put(&object, "peak_memory", number(t->peak_memory));
     return object;
 }
 
@@ -233,6 +234,7 @@ static json_t *units(const pdmc_results *r)
     put(&object, "stress_intensity", text(unit));
     put(&object, "angle", text("rad"));
     put(&object, "time", text("s"));
+    put(&object, "memory", text("byte"));
     return object;
 }
 

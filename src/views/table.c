@@ -138,6 +138,11 @@ static void print_energies(const pdmc_results *r, int tip, FILE *stream)
             print_energy(r, (pdmc_measure)m, tip, turns[i], stream);
 }
 
+static void print_memory(double bytes, FILE *stream)
+{
+    if (isfinite(bytes)) fprintf(stream, "memory   %.4g MB at most\n", bytes / 1e6);
+}
+
 static void print_foot(const pdmc_results *r, FILE *stream)
 {
     const pdmc_solver_report *s = &r->solver;
@@ -153,10 +158,11 @@ static void print_foot(const pdmc_results *r, FILE *stream)
             t->factorisation, t->operators, t->energy_rows);
     if (r->kind == PDMC_DYNAMIC) {
         fprintf(stream, "         motion %.2f, output %.2f\n", t->motion, t->output);
-        return;
+    } else {
+        fprintf(stream, "         sampling %.2f, energy %.2f, statistics %.2f, output %.2f\n", t->sampling, t->energy,
+                t->statistics, t->output);
     }
-    fprintf(stream, "         sampling %.2f, energy %.2f, statistics %.2f, output %.2f\n", t->sampling, t->energy,
-            t->statistics, t->output);
+    print_memory(t->peak_memory, stream);
 }
 
 pdmc_status pdmc_view_table(const pdmc_results *results, FILE *stream)

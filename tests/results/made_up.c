@@ -79,6 +79,7 @@ static void make_study(pdmc_results *r)
                                 .statistics = 0.6,
                                 .output = 0.05,
                                 .total = 6.7,
+                                .peak_memory = 8.1e7,
                                 .threads = 2};
 }
 

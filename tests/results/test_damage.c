@@ -161,6 +161,20 @@ static void missing_parts_are_named(void **state)
     check_refused(path, PDMC_ERR_DATA, "measure");
 }
 
+static void an_older_file_without_the_memory_is_read(void **state)
+{
+    (void)state;
+    const char *path = scratch_path("older.h5");
+    pdmc_results results;
+    const hid_t file = open_copy(path);
+    H5Ldelete(file, "/runtime/peak_memory", H5P_DEFAULT);
+    H5Fclose(file);
+    CHECK_OK(pdmc_results_read(path, &results));
+    assert_true(isnan(results.runtime.peak_memory));
+    CHECK_NEAR(results.runtime.total, 6.7, 0.0);
+    pdmc_results_clear(&results);
+}
+
 /// Damaged bytes may pass unseen where they are numbers; they must never crash, and a refusal must be a clean one.
 static void damaged_bytes_never_crash(void **state)
 {
@@ -212,6 +226,7 @@ int main(void)
         cmocka_unit_test(another_version_is_refused),
         cmocka_unit_test(contradictions_are_refused),
         cmocka_unit_test(missing_parts_are_named),
+        cmocka_unit_test(an_older_file_without_the_memory_is_read),
         cmocka_unit_test(damaged_bytes_never_crash),
         cmocka_unit_test(a_compressed_copy_is_read),
     };

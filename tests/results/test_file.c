@@ -50,6 +50,7 @@ static void check_fields(const pdmc_results *a, const pdmc_results *b)
     assert_memory_equal(&a->solver, &b->solver, sizeof a->solver);
     assert_int_equal(a->runtime.threads, b->runtime.threads);
     assert_memory_equal(&a->runtime.assembly, &b->runtime.assembly, 9 * sizeof(double));
+    assert_memory_equal(&a->runtime.peak_memory, &b->runtime.peak_memory, sizeof(double));
     const size_t samples = (size_t)a->sample_count, tips = (size_t)a->tip_count, angles = (size_t)a->angle_count;
     for (size_t t = 0; t < tips; t++) {
         assert_string_equal(a->tips[t].name, b->tips[t].name);

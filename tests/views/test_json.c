@@ -45,6 +45,7 @@ static void it_has_what_programs_ask(void **state)
                results.probability[0].lower, 0.0);
     assert_int_equal(json_integer_value(json_object_get(json_object_get(object, "solver"), "rank")), 650);
     CHECK_NEAR(json_real_value(json_object_get(json_object_get(object, "runtime"), "total")), 6.7, 0.0);
+    CHECK_NEAR(json_real_value(json_object_get(json_object_get(object, "runtime"), "peak_memory")), 8.1e7, 0.0);
     json_decref(object);
     pdmc_results_clear(&results);
 }

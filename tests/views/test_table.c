@@ -35,6 +35,7 @@ static void it_says_what_a_person_asks(void **state)
         "rank 650\n",
         "horizon 0.1",
         "sampling 3.80",
+        "memory   81 MB at most\n",
     };
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++)
         if (!strstr(text, parts[i])) fail_msg("the table does not say \"%s\":\n%s", parts[i], text);
