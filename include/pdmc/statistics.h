@@ -54,3 +54,57 @@ PDMC_API pdmc_estimate pdmc_statistics_proportion(size_t hits, size_t n, double 
 /// @param[out] density [bins] per unit of x
 PDMC_API void pdmc_statistics_histogram(size_t n, const double sorted[], int bins, double confidence, double edges[],
                                         int64_t counts[], pdmc_estimate density[]);
+
+/// The probability that sqrt(n) sup |F_n - F| passes `distance` for a continuous F and many samples, Kolmogorov's
+/// distribution: 2 sum_k (-1)^(k-1) exp(-2 k^2 distance^2), k = 1, 2, ... It is so too for two samples of n and m, with
+/// sqrt(n m / (n + m)) sup |F_n - G_m|, where they have the same distribution.
+PDMC_API double pdmc_statistics_kolmogorov(double distance);
+
+/// How far two distributions are apart, by two norms of the difference of their distribution functions.
+typedef struct {
+    pdmc_estimate kolmogorov_smirnov; // D = sup |F - G|, in [0, 1]
+    double p_value;                   // how likely as large a D is where F = G
+    pdmc_estimate wasserstein;        // W = integral of |F - G|, in the unit of x: how far mass is moved on average
+} pdmc_distances;
+
+/// Distances between the distributions F and G behind two samples.
+///
+/// The estimates are those between the empirical distributions, and so never 0 where F = G: it is the interval that then
+/// begins with 0. It is value +- c, cut at what is possible, with c the quantile at `confidence` of the same norm of
+/// (F* - G*) - (F_n - G_m), of 999 resamples with replacement. By the triangle inequality no estimate is off by more than
+/// this norm of its error, so that the interval covers at F = G and away from it, there somewhat too often.
+///
+/// p is Kolmogorov's for independent samples, and of pairs (x_i, y_i) the share of resamples with a norm of at least D,
+/// no less than 1 / 1000. Pairs are resampled as pairs. The resamples are always the same.
+/// @param[in] n, m    numbers of samples; without any, all is NaN
+/// @param[in] x, y    [n], [m] finite, in any order
+/// @param[in] paired  n = m, and x_i and y_i depend on each other, as in two studies with the same seed
+/// @return PDMC_OK, PDMC_ERR_ARG (pairs of n != m), or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_statistics_distances(size_t n, const double x[], size_t m, const double y[],
+                                                              bool paired, double confidence,
+                                                              pdmc_distances *distances);
+
+/// Difference mean_y - mean_x and ratio mean_y / mean_x, each with its interval.
+///
+/// Of independent samples, Welch's interval of the difference; of pairs, Student's of y_i - x_i. The ratio's is Fieller's:
+/// the r for which mean_y - r mean_x = 0 is not refused by the same test. Where mean_x is not told from zero, no ratio is
+/// refused on either side: (-inf, inf). With n < 2 or m < 2, or pairs of n != m, all is NaN.
+/// @param[in] paired  as in pdmc_statistics_distances()
+PDMC_API void pdmc_statistics_means(size_t n, const double x[], size_t m, const double y[], bool paired,
+                                    double confidence, pdmc_estimate *difference, pdmc_estimate *ratio);
+
+/// Pairs (x_i, y_i), compared one by one. The relative difference of a pair is (y - x) / ((|x| + |y|) / 2), in [-2, 2]
+/// and 0 where both are 0.
+typedef struct {
+    size_t count;
+    pdmc_estimate correlation; // Pearson's, with Fisher's interval; NaN without spread
+    pdmc_estimate difference;  // mean of the relative differences, with Student's interval
+    double largest_difference; // of the largest magnitude, with its sign
+    size_t largest_at;         // and its index
+} pdmc_pairs;
+
+/// @param[in] n     number of pairs; NaN is what too few cannot tell, as in pdmc_statistics_moments()
+/// @param[in] x, y  [n] finite
+/// @return PDMC_OK or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_statistics_pairs(size_t n, const double x[], const double y[],
+                                                          double confidence, pdmc_pairs *pairs);
