@@ -7,6 +7,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <spawn.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -46,15 +47,23 @@ void pdmc_figure_mark(const pdmc_figure *figure, double x)
 
 /// The name of a file: no enhanced text here, and no way to write a control character. It begins with a slash or a
 /// point, as a string may not begin with a quote.
-static void put_output(const pdmc_figure *figure, const pdmc_whole_file *file)
+static void put_output(FILE *script, const pdmc_whole_file *file)
 {
-    fprintf(figure->script, "set output '%s", file->temporary[0] == '/' ? "" : "./");
+    fprintf(script, "set output '%s", file->temporary[0] == '/' ? "" : "./");
     for (const char *c = file->temporary; *c; c++) {
-        if (*c == '\'') fputc('\'', figure->script);
-        fputc(*c, figure->script);
+        if (*c == '\'') fputc('\'', script);
+        fputc(*c, script);
     }
-    fputs("'\n", figure->script);
+    fputs("'\n", script);
 }
+
+static const char *const png_terminal =
+    "set terminal pngcairo enhanced color rounded size 1600,1100 font 'Sans,22' linewidth 2.2 pointscale 2.2 "
+    "background 'white'\n";
+
+/// Three quarters of the PNG, since a point of a font is a pixel here and 4/3 of one there.
+static const char *const svg_terminal =
+    "set terminal svg enhanced rounded size 1200,825 dynamic font 'sans-serif,22' linewidth 1.7 background 'white'\n";
 
 static const char *const settings = "set encoding utf8\n"
                                     "set minussign\n"
@@ -91,30 +100,42 @@ pdmc_status pdmc_figure_open(const char *folder, const char *stem, pdmc_figure *
     *figure = (pdmc_figure){0};
     PDMC_TRY(open_file(folder, stem, "png", &figure->png));
     PDMC_TRY(open_file(folder, stem, "svg", &figure->svg));
-    figure->script = tmpfile();
-    if (!figure->script) {
-        status = pdmc_raise_errno("the script of gnuplot", errno);
-        goto done;
-    }
-    fputs("set terminal pngcairo enhanced color rounded size 1600,1100 font 'Sans,22' linewidth 2.2 pointscale 2.2 "
-          "background 'white'\n",
-          figure->script);
-    put_output(figure, &figure->png);
-    fputs(settings, figure->script);
+    figure->script = open_memstream(&figure->drawing, &figure->drawing_size);
+    if (!figure->script) status = pdmc_raise_errno("the script of gnuplot", errno);
 
 done:
     return status;
 }
 
+/// The drawing once for each file: a drawing of several plots cannot be replotted.
+static pdmc_status write_script(pdmc_figure *figure, FILE *script)
+{
+    const struct {
+        const char *terminal;
+        const pdmc_whole_file *file;
+    } passes[] = {{png_terminal, &figure->png}, {svg_terminal, &figure->svg}};
+    if (fflush(figure->script) != 0 || ferror(figure->script)) return pdmc_raise_errno("the script of gnuplot", errno);
+    for (size_t i = 0; i < sizeof passes / sizeof passes[0]; i++) {
+        fputs(passes[i].terminal, script);
+        put_output(script, passes[i].file);
+        fputs(settings, script);
+        fwrite(figure->drawing, 1, figure->drawing_size, script);
+        fputs("unset output\nreset\n", script);
+    }
+    if (fflush(script) != 0 || ferror(script)) return pdmc_raise_errno("the script of gnuplot", errno);
+    rewind(script); // and with it the place from where gnuplot reads
+    return PDMC_OK;
+}
+
 /// Starts gnuplot with the script as its input and its messages in `errors`.
-static pdmc_status spawn(const pdmc_figure *figure, FILE *errors, pid_t *process)
+static pdmc_status spawn(FILE *script, FILE *errors, pid_t *process)
 {
     char program[] = "gnuplot", defaults[] = "-d"; // without the user's own settings
     char *const arguments[] = {program, defaults, NULL};
     posix_spawn_file_actions_t actions;
     int error = posix_spawn_file_actions_init(&actions);
     if (error == 0) {
-        error = posix_spawn_file_actions_adddup2(&actions, fileno(figure->script), STDIN_FILENO);
+        error = posix_spawn_file_actions_adddup2(&actions, fileno(script), STDIN_FILENO);
         if (error == 0) error = posix_spawn_file_actions_adddup2(&actions, fileno(errors), STDERR_FILENO);
         if (error == 0) error = posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
         if (error == 0) error = posix_spawnp(process, program, &actions, NULL, arguments, environ);
@@ -137,7 +158,7 @@ static void last_line(FILE *errors, size_t size, char line[])
     }
 }
 
-static pdmc_status run(const pdmc_figure *figure)
+static pdmc_status run(const pdmc_figure *figure, FILE *script)
 {
     pdmc_status status = PDMC_OK;
     pid_t process = 0;
@@ -145,7 +166,7 @@ static pdmc_status run(const pdmc_figure *figure)
     char line[256];
     FILE *errors = tmpfile();
     if (!errors) return pdmc_raise_errno("the messages of gnuplot", errno);
-    PDMC_TRY(spawn(figure, errors, &process));
+    PDMC_TRY(spawn(script, errors, &process));
     while (waitpid(process, &outcome, 0) < 0 && errno == EINTR) continue;
     if (!WIFEXITED(outcome) || WEXITSTATUS(outcome) != 0) {
         last_line(errors, sizeof line, line);
@@ -168,30 +189,24 @@ static pdmc_status check_drawn(const pdmc_whole_file *file)
 pdmc_status pdmc_figure_draw(pdmc_figure *figure)
 {
     pdmc_status status = PDMC_OK;
-    // Three quarters of the PNG, since a point of a font is a pixel here and 4/3 of one there.
-    fputs("set terminal svg enhanced rounded size 1200,825 dynamic font 'sans-serif,22' linewidth 1.7 "
-          "background 'white'\n",
-          figure->script);
-    put_output(figure, &figure->svg);
-    fputs("replot\nunset output\n", figure->script);
-    if (fflush(figure->script) != 0 || ferror(figure->script)) {
-        status = pdmc_raise_errno("the script of gnuplot", errno);
-        goto done;
-    }
-    rewind(figure->script); // and with it the place from where gnuplot reads
-    PDMC_TRY(run(figure));
+    FILE *script = tmpfile();
+    if (!script) return pdmc_raise_errno("the script of gnuplot", errno);
+    PDMC_TRY(write_script(figure, script));
+    PDMC_TRY(run(figure, script));
     PDMC_TRY(check_drawn(&figure->png));
     PDMC_TRY(check_drawn(&figure->svg));
     PDMC_TRY(pdmc_whole_file_appear(&figure->png, true));
     PDMC_TRY(pdmc_whole_file_appear(&figure->svg, true));
 
 done:
+    fclose(script);
     return status;
 }
 
 void pdmc_figure_close(pdmc_figure *figure)
 {
     if (figure->script) fclose(figure->script);
+    free(figure->drawing); // the stream's own
     pdmc_whole_file_discard(&figure->png);
     pdmc_whole_file_discard(&figure->svg);
     *figure = (pdmc_figure){0};

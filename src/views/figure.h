@@ -3,14 +3,16 @@
 
 /// A picture that gnuplot draws, as PNG and as SVG.
 ///
-/// A drawing is a script: settings, data blocks, and one `plot` command as the last. What comes from the results as
-/// text goes through pdmc_figure_text(), so that it cannot be a command.
+/// A drawing is a script: settings, data blocks and `plot` commands; it is run once for each file. What comes from the
+/// results as text goes through pdmc_figure_text(), so that it cannot be a command.
 
 #include "results/whole_file.h"
 #include "views/views_impl.h"
 
 typedef struct {
-    FILE *script;
+    FILE *script; // into which is drawn
+    char *drawing;
+    size_t drawing_size;
     pdmc_whole_file png, svg;
 } pdmc_figure;
 

@@ -1,54 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/base_impl.h"
-#include "views/views_impl.h"
-
-#include <jansson.h>
-#include <math.h>
-#include <string.h>
-
-// Whatever is NULL for want of memory makes the object that takes it fail, and with it the whole.
-
-/// Sets a key; an object without it becomes NULL.
-static void put(json_t **object, const char *key, json_t *value)
-{
-    if (json_object_set_new(*object, key, value) == 0) return;
-    json_decref(*object);
-    *object = NULL;
-}
-
-static void append(json_t **array, json_t *value)
-{
-    if (json_array_append_new(*array, value) == 0) return;
-    json_decref(*array);
-    *array = NULL;
-}
-
-/// JSON has no NaN and no infinity.
-static json_t *number(double x)
-{
-    return isfinite(x) ? json_real(x) : json_null();
-}
-
-/// A text that is not UTF-8 loses what is not ASCII.
-static json_t *text(const char *bytes)
-{
-    json_t *value = json_string(bytes);
-    char *copy = value ? NULL : pdmc_strdup(bytes);
-    if (copy) {
-        for (char *c = copy; *c; c++)
-            if (*c & 0x80) *c = '?';
-        value = json_string(copy);
-    }
-    pdmc_free(copy);
-    return value;
-}
-
-static json_t *numbers(size_t count, const double x[])
-{
-    json_t *array = json_array();
-    for (size_t i = 0; i < count; i++) append(&array, number(x[i]));
-    return array;
-}
+#include "views/json_parts.h"
 
 typedef double pdmc_part(const pdmc_estimate *);
 static double value_of(const pdmc_estimate *e)
@@ -68,7 +19,7 @@ static double upper_of(const pdmc_estimate *e)
 static json_t *parts(size_t count, size_t stride, const pdmc_estimate x[], pdmc_part *part)
 {
     json_t *array = json_array();
-    for (size_t i = 0; i < count; i++) append(&array, number(part(&x[i * stride])));
+    for (size_t i = 0; i < count; i++) pdmc_json_append(&array, pdmc_json_number(part(&x[i * stride])));
     return array;
 }
 
@@ -76,7 +27,7 @@ static json_t *intervals(size_t count, size_t stride, const pdmc_estimate x[])
 {
     json_t *array = json_array();
     for (size_t i = 0; i < count; i++)
-        append(&array, numbers(2, (const double[]){x[i * stride].lower, x[i * stride].upper}));
+        pdmc_json_append(&array, pdmc_json_numbers(2, (const double[]){x[i * stride].lower, x[i * stride].upper}));
     return array;
 }
 
@@ -84,18 +35,18 @@ static json_t *energy(const pdmc_results *r, int tip, const pdmc_energy_statisti
 {
     const size_t count = (size_t)r->angle_count, at = pdmc_place(r, tip, 0);
     json_t *object = json_object(), *values = json_object(), *bounds = json_object();
-    put(&object, "mean", parts(count, 1, &s->mean[at], value_of));
-    put(&object, "mean_interval", intervals(count, 1, &s->mean[at]));
-    put(&object, "standard_deviation", parts(count, 1, &s->standard_deviation[at], value_of));
-    put(&object, "standard_deviation_interval", intervals(count, 1, &s->standard_deviation[at]));
+    pdmc_json_put(&object, "mean", parts(count, 1, &s->mean[at], value_of));
+    pdmc_json_put(&object, "mean_interval", intervals(count, 1, &s->mean[at]));
+    pdmc_json_put(&object, "standard_deviation", parts(count, 1, &s->standard_deviation[at], value_of));
+    pdmc_json_put(&object, "standard_deviation_interval", intervals(count, 1, &s->standard_deviation[at]));
     for (size_t q = 0; q < PDMC_QUANTILES; q++) {
         char level[16];
         snprintf(level, sizeof level, "%.2f", pdmc_quantile_levels[q]);
-        put(&values, level, parts(count, PDMC_QUANTILES, &s->quantiles[at * PDMC_QUANTILES + q], value_of));
-        put(&bounds, level, intervals(count, PDMC_QUANTILES, &s->quantiles[at * PDMC_QUANTILES + q]));
+        pdmc_json_put(&values, level, parts(count, PDMC_QUANTILES, &s->quantiles[at * PDMC_QUANTILES + q], value_of));
+        pdmc_json_put(&bounds, level, intervals(count, PDMC_QUANTILES, &s->quantiles[at * PDMC_QUANTILES + q]));
     }
-    put(&object, "quantiles", values);
-    put(&object, "quantile_intervals", bounds);
+    pdmc_json_put(&object, "quantiles", values);
+    pdmc_json_put(&object, "quantile_intervals", bounds);
     return object;
 }
 
@@ -104,15 +55,15 @@ static json_t *nominal(const pdmc_results *r, int tip)
     const size_t count = (size_t)r->angle_count, at = pdmc_place(r, tip, 0);
     const pdmc_tip *t = &r->tips[tip];
     json_t *object = json_object();
-    put(&object, "K_I", number(t->stress_intensity[0]));
-    put(&object, "K_II", number(t->stress_intensity[1]));
-    put(&object, "T", number(t->t_stress));
-    put(&object, "K_I_error", number(t->stress_intensity_error[0]));
-    put(&object, "K_II_error", number(t->stress_intensity_error[1]));
-    put(&object, "T_error", number(t->t_stress_error));
-    put(&object, "bond_energy", numbers(count, &r->nominal_bond_energy[at]));
-    put(&object, "bond_energy_tensile", numbers(count, &r->nominal_bond_energy_tensile[at]));
-    put(&object, "griffith_energy", numbers(count, &r->nominal_griffith_energy[at]));
+    pdmc_json_put(&object, "K_I", pdmc_json_number(t->stress_intensity[0]));
+    pdmc_json_put(&object, "K_II", pdmc_json_number(t->stress_intensity[1]));
+    pdmc_json_put(&object, "T", pdmc_json_number(t->t_stress));
+    pdmc_json_put(&object, "K_I_error", pdmc_json_number(t->stress_intensity_error[0]));
+    pdmc_json_put(&object, "K_II_error", pdmc_json_number(t->stress_intensity_error[1]));
+    pdmc_json_put(&object, "T_error", pdmc_json_number(t->t_stress_error));
+    pdmc_json_put(&object, "bond_energy", pdmc_json_numbers(count, &r->nominal_bond_energy[at]));
+    pdmc_json_put(&object, "bond_energy_tensile", pdmc_json_numbers(count, &r->nominal_bond_energy_tensile[at]));
+    pdmc_json_put(&object, "griffith_energy", pdmc_json_numbers(count, &r->nominal_griffith_energy[at]));
     return object;
 }
 
@@ -121,19 +72,10 @@ static json_t *direction(const pdmc_results *r, int tip)
     const size_t count = (size_t)r->angle_count;
     const pdmc_estimate *share = &r->direction[pdmc_place(r, tip, 0)];
     json_t *object = json_object();
-    put(&object, "measure", text(pdmc_measure_names[r->measure]));
-    put(&object, "probability", parts(count, 1, share, value_of));
-    put(&object, "lower", parts(count, 1, share, lower_of));
-    put(&object, "upper", parts(count, 1, share, upper_of));
-    return object;
-}
-
-static json_t *probability(const pdmc_estimate *estimate)
-{
-    json_t *object = json_object();
-    put(&object, "value", number(estimate->value));
-    put(&object, "lower", number(estimate->lower));
-    put(&object, "upper", number(estimate->upper));
+    pdmc_json_put(&object, "measure", pdmc_json_text(pdmc_measure_names[r->measure]));
+    pdmc_json_put(&object, "probability", parts(count, 1, share, value_of));
+    pdmc_json_put(&object, "lower", parts(count, 1, share, lower_of));
+    pdmc_json_put(&object, "upper", parts(count, 1, share, upper_of));
     return object;
 }
 
@@ -142,15 +84,16 @@ static json_t *tips(const pdmc_results *r)
     json_t *array = json_array();
     for (int t = 0; t < r->tip_count; t++) {
         json_t *object = json_object();
-        put(&object, "name", text(r->tips[t].name));
-        put(&object, "position", numbers(2, r->tips[t].position));
-        put(&object, "straight_ahead", number(r->tips[t].direction));
-        put(&object, "nominal", nominal(r, t));
-        put(&object, "angles", numbers((size_t)r->angle_count, r->angles));
-        for (int m = 0; m < PDMC_MEASURES; m++) put(&object, pdmc_measure_names[m], energy(r, t, &r->statistics[m]));
-        put(&object, "direction", direction(r, t));
-        put(&object, "probability", probability(&r->probability[t]));
-        append(&array, object);
+        pdmc_json_put(&object, "name", pdmc_json_text(r->tips[t].name));
+        pdmc_json_put(&object, "position", pdmc_json_numbers(2, r->tips[t].position));
+        pdmc_json_put(&object, "straight_ahead", pdmc_json_number(r->tips[t].direction));
+        pdmc_json_put(&object, "nominal", nominal(r, t));
+        pdmc_json_put(&object, "angles", pdmc_json_numbers((size_t)r->angle_count, r->angles));
+        for (int m = 0; m < PDMC_MEASURES; m++)
+            pdmc_json_put(&object, pdmc_measure_names[m], energy(r, t, &r->statistics[m]));
+        pdmc_json_put(&object, "direction", direction(r, t));
+        pdmc_json_put(&object, "probability", pdmc_json_estimate(&r->probability[t]));
+        pdmc_json_append(&array, object);
     }
     return array;
 }
@@ -158,15 +101,15 @@ static json_t *tips(const pdmc_results *r)
 static json_t *probe(const pdmc_motion_record *m, int p)
 {
     json_t *object = json_object(), *x = json_array(), *y = json_array();
-    put(&object, "name", text(m->probes[p].name));
-    put(&object, "position", numbers(2, m->probes[p].position));
-    put(&object, "side", text(pdmc_face_name(m->probes[p].face)));
+    pdmc_json_put(&object, "name", pdmc_json_text(m->probes[p].name));
+    pdmc_json_put(&object, "position", pdmc_json_numbers(2, m->probes[p].position));
+    pdmc_json_put(&object, "side", pdmc_json_text(pdmc_face_name(m->probes[p].face)));
     for (int i = 0; i < m->time_count; i++) {
-        append(&x, number(pdmc_probe_displacement(m, i, p)[0]));
-        append(&y, number(pdmc_probe_displacement(m, i, p)[1]));
+        pdmc_json_append(&x, pdmc_json_number(pdmc_probe_displacement(m, i, p)[0]));
+        pdmc_json_append(&y, pdmc_json_number(pdmc_probe_displacement(m, i, p)[1]));
     }
-    put(&object, "x", x);
-    put(&object, "y", y);
+    pdmc_json_put(&object, "x", x);
+    pdmc_json_put(&object, "y", y);
     return object;
 }
 
@@ -175,102 +118,57 @@ static json_t *motion(const pdmc_results *r)
     const pdmc_motion_record *m = &r->motion;
     const size_t count = (size_t)m->time_count;
     json_t *object = json_object(), *probes = json_array();
-    put(&object, "time", numbers(count, m->time));
-    put(&object, "load_factor", numbers(count, m->load_factor));
-    put(&object, "kinetic", numbers(count, m->kinetic));
-    put(&object, "elastic", numbers(count, m->elastic));
-    put(&object, "dissipated", numbers(count, m->dissipated));
-    put(&object, "work", numbers(count, m->work));
-    put(&object, "balance_error", number(pdmc_balance_error(m)));
-    for (int p = 0; p < m->probe_count; p++) append(&probes, probe(m, p));
-    put(&object, "probes", probes);
+    pdmc_json_put(&object, "time", pdmc_json_numbers(count, m->time));
+    pdmc_json_put(&object, "load_factor", pdmc_json_numbers(count, m->load_factor));
+    pdmc_json_put(&object, "kinetic", pdmc_json_numbers(count, m->kinetic));
+    pdmc_json_put(&object, "elastic", pdmc_json_numbers(count, m->elastic));
+    pdmc_json_put(&object, "dissipated", pdmc_json_numbers(count, m->dissipated));
+    pdmc_json_put(&object, "work", pdmc_json_numbers(count, m->work));
+    pdmc_json_put(&object, "balance_error", pdmc_json_number(pdmc_balance_error(m)));
+    for (int p = 0; p < m->probe_count; p++) pdmc_json_append(&probes, probe(m, p));
+    pdmc_json_put(&object, "probes", probes);
     return object;
 }
 
 static json_t *solver(const pdmc_solver_report *s)
 {
     json_t *object = json_object();
-    put(&object, "nodes", json_integer(s->nodes));
-    put(&object, "unknowns", json_integer(s->unknowns));
-    put(&object, "rows", json_integer(s->rows));
-    put(&object, "rank", json_integer(s->rank));
-    put(&object, "condition", number(s->condition));
-    put(&object, "residual", number(s->residual));
-    put(&object, "horizon", number(s->horizon));
-    put(&object, "spacing", number(s->spacing));
-    return object;
-}
-
-static json_t *runtime(const pdmc_runtime *t)
-{
-    json_t *object = json_object();
-    put(&object, "threads", json_integer(t->threads));
-    put(&object, "assembly", number(t->assembly));
-    put(&object, "factorisation", number(t->factorisation));
-    put(&object, "operators", number(t->operators));
-    put(&object, "energy_rows", number(t->energy_rows));
-    put(&object, "sampling", number(t->sampling));
-    put(&object, "energy", number(t->energy));
-    put(&object, "statistics", number(t->statistics));
-    put(&object, "motion", number(t->motion));
-    put(&object, "output", number(t->output));
-    put(&object, "total", number(t->total));
-    put(&object, "peak_memory", number(t->peak_memory));
-    return object;
-}
-
-static json_t *units(const pdmc_results *r)
-{
-    char unit[PDMC_UNIT_SIZE];
-    json_t *object = json_object();
-    put(&object, "length", text(r->length_unit));
-    put(&object, "force", text(r->force_unit));
-    put(&object, "study_time", text(r->time_unit));
-    pdmc_results_unit(r, PDMC_UNIT_WORK, sizeof unit, unit);
-    put(&object, "work", text(unit));
-    pdmc_results_unit(r, PDMC_UNIT_ENERGY, sizeof unit, unit);
-    put(&object, "energy", text(unit));
-    pdmc_results_unit(r, PDMC_UNIT_STRESS_INTENSITY, sizeof unit, unit);
-    put(&object, "stress_intensity", text(unit));
-    put(&object, "angle", text("rad"));
-    put(&object, "time", text("s"));
-    put(&object, "memory", text("byte"));
+    pdmc_json_put(&object, "nodes", json_integer(s->nodes));
+    pdmc_json_put(&object, "unknowns", json_integer(s->unknowns));
+    pdmc_json_put(&object, "rows", json_integer(s->rows));
+    pdmc_json_put(&object, "rank", json_integer(s->rank));
+    pdmc_json_put(&object, "condition", pdmc_json_number(s->condition));
+    pdmc_json_put(&object, "residual", pdmc_json_number(s->residual));
+    pdmc_json_put(&object, "horizon", pdmc_json_number(s->horizon));
+    pdmc_json_put(&object, "spacing", pdmc_json_number(s->spacing));
     return object;
 }
 
 static json_t *everything(const pdmc_results *r)
 {
     json_t *object = json_object();
-    put(&object, "kind", text(r->kind == PDMC_DYNAMIC ? "dynamic" : "static"));
-    put(&object, "title", text(r->title));
-    put(&object, "date_and_time", text(r->date_and_time));
-    put(&object, "pdmc_version", text(r->pdmc_version));
-    put(&object, "git_sha1", text(r->git_sha1));
-    put(&object, "status", text(r->status == PDMC_RUN_COMPLETE ? "complete" : "interrupted"));
-    put(&object, "samples", json_integer(r->sample_count));
-    put(&object, "failed", json_integer(r->failed_count));
-    // JSON's integers are signed; a seed beyond them is written as text rather than changed.
-    char seed[24];
-    snprintf(seed, sizeof seed, "%llu", (unsigned long long)r->seed);
-    put(&object, "seed", r->seed <= INT64_MAX ? json_integer((json_int_t)r->seed) : text(seed));
-    put(&object, "measure", text(pdmc_measure_names[r->measure]));
-    put(&object, "bonds", text(r->bonds == PDMC_BONDS_ALL ? "all" : "tensile"));
-    put(&object, "fracture_energy", number(r->fracture_energy));
-    put(&object, "units", units(r));
-    put(&object, "confidence", number(r->confidence));
-    put(&object, "tips", tips(r));
-    if (r->kind == PDMC_DYNAMIC) put(&object, "motion", motion(r));
-    put(&object, "solver", solver(&r->solver));
-    put(&object, "runtime", runtime(&r->runtime));
+    pdmc_json_put(&object, "kind", pdmc_json_text(r->kind == PDMC_DYNAMIC ? "dynamic" : "static"));
+    pdmc_json_put(&object, "title", pdmc_json_text(r->title));
+    pdmc_json_put(&object, "date_and_time", pdmc_json_text(r->date_and_time));
+    pdmc_json_put(&object, "pdmc_version", pdmc_json_text(r->pdmc_version));
+    pdmc_json_put(&object, "git_sha1", pdmc_json_text(r->git_sha1));
+    pdmc_json_put(&object, "status", pdmc_json_text(r->status == PDMC_RUN_COMPLETE ? "complete" : "interrupted"));
+    pdmc_json_put(&object, "samples", json_integer(r->sample_count));
+    pdmc_json_put(&object, "failed", json_integer(r->failed_count));
+    pdmc_json_put(&object, "seed", pdmc_json_seed(r->seed));
+    pdmc_json_put(&object, "measure", pdmc_json_text(pdmc_measure_names[r->measure]));
+    pdmc_json_put(&object, "bonds", pdmc_json_text(r->bonds == PDMC_BONDS_ALL ? "all" : "tensile"));
+    pdmc_json_put(&object, "fracture_energy", pdmc_json_number(r->fracture_energy));
+    pdmc_json_put(&object, "units", pdmc_json_units(r));
+    pdmc_json_put(&object, "confidence", pdmc_json_number(r->confidence));
+    pdmc_json_put(&object, "tips", tips(r));
+    if (r->kind == PDMC_DYNAMIC) pdmc_json_put(&object, "motion", motion(r));
+    pdmc_json_put(&object, "solver", solver(&r->solver));
+    pdmc_json_put(&object, "runtime", pdmc_json_runtime(&r->runtime));
     return object;
 }
 
 pdmc_status pdmc_view_json(const pdmc_results *results, FILE *stream)
 {
-    json_t *object = everything(results);
-    const int failed = object ? json_dumpf(object, stream, JSON_COMPACT | JSON_REAL_PRECISION(17)) : -1;
-    json_decref(object);
-    if (!failed) fputc('\n', stream);
-    if (fflush(stream) != 0 || ferror(stream)) return pdmc_raise(PDMC_ERR_IO, "the JSON cannot be written");
-    return failed ? pdmc_raise(PDMC_ERR_NOMEM, "out of memory for the JSON of %d tips", results->tip_count) : PDMC_OK;
+    return pdmc_json_print(everything(results), stream);
 }
