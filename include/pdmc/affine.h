@@ -8,7 +8,6 @@
 /// micromodulus in its bins.
 
 #include "pdmc/base.h"
-#include "pdmc/quadrature.h"
 
 typedef struct pdmc_affine pdmc_affine;
 
@@ -29,18 +28,29 @@ typedef struct {
     /// @return PDMC_OK, PDMC_ERR_SINGULAR, or PDMC_ERR_NOMEM
     pdmc_status (*solve)(const pdmc_affine *model, const double xi[], const double scale[2], double x[]);
 
+    /// Y = K(xi) X and Z = K_0^-1 R, column by column, where K is symmetric positive definite on the unknowns that are
+    /// not held; NULL elsewhere. Held unknowns of Y are 0, and so are those of Z where R has a 0.
+    /// @param[in]  xi      [PDMC_BLOCK, terms]
+    /// @param      x y r z [PDMC_BLOCK, unknowns], not overlapping
+    pdmc_status (*multiply)(const pdmc_affine *model, const double xi[], const double x[], double y[]);
+    pdmc_status (*precondition)(const pdmc_affine *model, const double r[], double z[]);
+
     /// Frees `discretisation`.
     void (*destroy)(void *discretisation);
 } pdmc_affine_verbs;
 
 /// The energy release rate at one point of a circle round a tip in factored form:
 ///     G = 1/2 c_0 sum_q g_q sum_{bonds b of ring q} (row_b . x)^2,   g_q = sum_bins (c_bin / c_0)
-/// rings.weight[bin][q]. The sign of row_b . x is that of the bond's stretch.
+/// ring_weight[bin][q]. The sign of row_b . x is that of the bond's stretch. The rows are full, or have PDMC_BOND_ENDS
+/// values each: the displacements of the two nodes that a bond connects.
 typedef struct {
     int bonds;
-    double *row; // [bonds, unknowns]
+    double *row; // [bonds, unknowns], or [bonds, PDMC_BOND_ENDS] where there are columns
+    int *column; // [bonds, PDMC_BOND_ENDS] unknowns, or NULL
     int *ring;   // [bonds] ascending
 } pdmc_crossing;
+
+enum { PDMC_BOND_ENDS = 4 };
 
 struct pdmc_affine {
     int unknowns, terms, bins;
@@ -51,7 +61,8 @@ struct pdmc_affine {
     int tips, angles;
     double *stress_intensity; // [2 tips, unknowns] rows of K_I, K_II of each tip at E_eff = E
     double micromodulus;      // c_0 at the horizon of the energy, force / length^5
-    pdmc_ring_rule energy_rings;
+    int rings;
+    double *ring_weight; // [bins, rings]
     pdmc_crossing *crossings; // [tips, angles]
 
     const pdmc_affine_verbs *verbs;

@@ -66,28 +66,47 @@ typedef enum { PDMC_OFF, PDMC_ON } pdmc_switch;
 /// The radial function of the stencils over visible nodes: an inverse multiquadric, or r^3.
 typedef enum { PDMC_STENCIL_IMQ, PDMC_STENCIL_POLYHARMONIC } pdmc_stencil_kind;
 
-/// Settings of the Kansa collocation; see pdmc/kansa.h.
-typedef struct {
-    pdmc_crack_model crack_model;
-    double horizon;        // delta, length
-    double spacing;        // h of the collocation nodes, length
-    double shape;          // psi of the inverse multiquadric, length
-    int polynomial_degree; // of the appended monomials
-    int crack_orders;      // M, orders w^1 .. w^M of the analytic crack fields
-    int radial_points;     // rings on which the operator is sampled for a random c(r)
-    pdmc_switch tip_functions; // of the paper's crack model: eq. 38 at every tip
-    double edge_layer;     // of the paper's crack model: e, the thickness of the layer that loads act on, length
-    int refinement;        // nodes a horizon near the cracks, of the visible crack model
-    pdmc_stencil_kind stencil; // ... and the radial function of its stencils
-} pdmc_kansa_options;
+typedef enum { PDMC_METHOD_KANSA, PDMC_METHOD_BOND } pdmc_method;
 
-typedef enum { PDMC_INVERSE_DIRECT, PDMC_INVERSE_NEUMANN } pdmc_inverse;
+/// The area by which a node's bond counts, of a cell that the edge of the horizon may cut: the whole cell if its middle
+/// is inside; a share that falls linearly over the last half cells (partial volume); the exact area of the cell inside;
+/// or that, with the bond to its centroid.
+typedef enum { PDMC_AREA_FULL, PDMC_AREA_PARTIAL, PDMC_AREA_EXACT, PDMC_AREA_CENTROID } pdmc_bond_area;
+
+/// What a random c(r) means for the bond to a cell: its average over the part of the cell inside the horizon, or its
+/// value at the middle.
+typedef enum { PDMC_MICROMODULUS_AVERAGED, PDMC_MICROMODULUS_AT_NODES } pdmc_bond_micromodulus;
+
+/// Settings of the solver; which belong to which method and crack model is said in the table of settings.
+typedef struct {
+    pdmc_method method;
+    pdmc_crack_model crack_model;
+    double horizon;            // delta, length
+    double spacing;            // h of the nodes, length
+    bool has_horizon_ratio;
+    double horizon_ratio;      // delta / h, where the study gives it
+    double shape;              // psi of the inverse multiquadric, length
+    int polynomial_degree;     // of the appended monomials
+    int crack_orders;          // M, orders w^1 .. w^M of the analytic crack fields
+    int radial_points;         // rings on which the operator is sampled for a random c(r)
+    pdmc_switch tip_functions; // of the paper's crack model: eq. 38 at every tip
+    double edge_layer;         // of the paper's crack model: e, the thickness of the layer that loads act on, length
+    int refinement;            // nodes a horizon near the cracks, of the visible crack model
+    pdmc_stencil_kind stencil; // ... and the radial function of its stencils
+    pdmc_bond_area area;       // of the bond method, as are the rest
+    pdmc_switch surface_correction; // bonds near an edge stiffened by the energy that the missing ones would hold
+    pdmc_bond_micromodulus micromodulus;
+    double load_layer; // thickness of the layer of nodes that a traction is spread over, length
+} pdmc_solver_options;
+
+typedef enum { PDMC_INVERSE_DIRECT, PDMC_INVERSE_NEUMANN, PDMC_INVERSE_KRYLOV } pdmc_inverse;
 
 typedef struct {
     uint64_t seed;
     int samples;
     pdmc_inverse inverse;
-    int order; // of the Neumann expansion
+    int order;        // of the Neumann expansion
+    double tolerance; // of the relative residual of Krylov's iteration
 } pdmc_sampling;
 
 typedef enum { PDMC_BONDS_ALL, PDMC_BONDS_TENSILE } pdmc_bonds;
@@ -146,7 +165,7 @@ typedef struct {
     pdmc_probe *probes; // [probe_count]
     int uncertainty_count;
     pdmc_uncertainty *uncertainties; // [uncertainty_count], each quantity at most once
-    pdmc_kansa_options kansa;
+    pdmc_solver_options solver;
     pdmc_sampling sampling;
     pdmc_energy_request energy;
 } pdmc_problem;
@@ -173,6 +192,9 @@ PDMC_API int pdmc_problem_steps(const pdmc_problem *problem);
 
 /// The crack that a point lies on, within 1e-9 of the plate's size, or -1.
 PDMC_API int pdmc_problem_crack_at(const pdmc_problem *problem, const double x[2]);
+
+/// Whether a crack's end is inside the plate, and so a tip; not on its edge or beyond.
+PDMC_API bool pdmc_problem_is_tip(const pdmc_problem *problem, int tip);
 
 /// The speed of plane pressure waves, sqrt(3 mu / rho) with lambda = mu, length / time.
 PDMC_API double pdmc_wave_speed(const pdmc_material *material, double density);

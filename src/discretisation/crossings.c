@@ -52,8 +52,8 @@ static void stretch_rows(const pdmc_displacement_functional *displacement, works
 }
 
 static pdmc_status fill_crossing(const pdmc_problem *problem, const pdmc_displacement_functional *displacement,
-                                 const double coefficients[], const pdmc_affine *model, workspace *work, int direction,
-                                 pdmc_crossing *crossing)
+                                 const double coefficients[], const pdmc_affine *model, const pdmc_ring_rule *rings,
+                                 workspace *work, int direction, pdmc_crossing *crossing)
 {
     pdmc_status status = PDMC_OK;
     const int tip = problem->energy.tips[direction / model->angles], n = displacement->unknowns, r = model->unknowns;
@@ -62,7 +62,7 @@ static pdmc_status fill_crossing(const pdmc_problem *problem, const pdmc_displac
     const double phi = 2.0 * M_PI * (direction % model->angles) / model->angles;
     const double x_t[2] = {position[0] + problem->energy.extension * cos(phi),
                            position[1] + problem->energy.extension * sin(phi)};
-    PDMC_TRY(pdmc_crossing_bonds(problem, x_t, phi, &model->energy_rings, &crossing->bonds, work->bonds));
+    PDMC_TRY(pdmc_crossing_bonds(problem, x_t, phi, rings, &crossing->bonds, work->bonds));
     PDMC_NEW(crossing->row, crossing->bonds * r);
     PDMC_NEW(crossing->ring, crossing->bonds);
     for (int b = 0; b < crossing->bonds; b++) crossing->ring[b] = work->bonds[b].ring;
@@ -79,9 +79,12 @@ pdmc_status pdmc_affine_fill_crossings(const pdmc_problem *problem, const pdmc_d
 {
     pdmc_status status = PDMC_OK;
     const int directions = model->tips * model->angles;
+    pdmc_ring_rule rings = {0};
     PDMC_NEW(model->crossings, directions);
     model->micromodulus = pdmc_micromodulus(&problem->material, problem->energy.horizon);
-    PDMC_TRY(pdmc_ring_rule_create(PDMC_CROSSING_RINGS, model->bins, 3, problem->energy.horizon, &model->energy_rings));
+    PDMC_TRY(pdmc_ring_rule_create(PDMC_CROSSING_RINGS, model->bins, 3, problem->energy.horizon, &rings));
+    model->rings = rings.rings;
+    model->ring_weight = rings.weight; // the model's from here on
 #pragma omp parallel num_threads(threads)
     {
         workspace *work = NULL;
@@ -89,7 +92,7 @@ pdmc_status pdmc_affine_fill_crossings(const pdmc_problem *problem, const pdmc_d
 #pragma omp for schedule(dynamic)
         for (int d = 0; d < directions; d++)
             if (mine == PDMC_OK)
-                mine = fill_crossing(problem, displacement, coefficients, model, work, d, &model->crossings[d]);
+                mine = fill_crossing(problem, displacement, coefficients, model, &rings, work, d, &model->crossings[d]);
         if (mine != PDMC_OK) {
 #pragma omp critical(pdmc_crossings)
             status = mine;

@@ -15,7 +15,7 @@ typedef struct {
     void (*close)(void *context);
 } pdmc_displacement_functional;
 
-/// Fills the model's micromodulus, energy_rings and crossings: the stretch of every bond that crosses a potential
+/// Fills the model's micromodulus, rings and crossings: the stretch of every bond that crosses a potential
 /// fracture line, as a functional of the model's coordinates. Needs model->unknowns, bins, tips and angles.
 /// @param[in]     coefficients  [model->unknowns, displacement->unknowns] the field of each coordinate
 /// @param[in,out] model         what was made is freed by pdmc_affine_clear(), after a failure as well

@@ -136,7 +136,7 @@ done:
 static pdmc_status create_operator(const pdmc_kansa *kansa, pdmc_affine *model)
 {
     pdmc_status status = PDMC_OK;
-    static const pdmc_affine_verbs verbs = {perturb, solve, destroy_operator};
+    static const pdmc_affine_verbs verbs = {.perturb = perturb, .solve = solve, .destroy = destroy_operator};
     const pdmc_uncertainty *noise = pdmc_problem_uncertainty(kansa->problem, PDMC_QUANTITY_MICROMODULUS);
     sampled_operator *rings = NULL;
     double size[PDMC_MAX_RINGS];

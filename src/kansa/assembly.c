@@ -15,7 +15,7 @@ static size_t row_start(const pdmc_kansa *kansa, int row)
 static void assemble_interior_point(pdmc_kansa *kansa, pdmc_row_builder *builder, int i, double matrix[])
 {
     const pdmc_interior_point *point = &kansa->points.interior[i];
-    const double factor = pdmc_micromodulus(&kansa->problem->material, kansa->problem->kansa.horizon) * point->spacing;
+    const double factor = pdmc_micromodulus(&kansa->problem->material, kansa->problem->solver.horizon) * point->spacing;
     const int unknowns = kansa->unknowns, points = kansa->points.interior_count;
     double *mean = &matrix[row_start(kansa, 2 * i)];
     for (int q = 0; q < kansa->rings.rings; q++) {

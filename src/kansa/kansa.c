@@ -23,7 +23,7 @@ static pdmc_status prepare(pdmc_kansa *kansa)
 {
     pdmc_status status = PDMC_OK;
     const pdmc_problem *problem = kansa->problem;
-    const pdmc_kansa_options *options = &problem->kansa;
+    const pdmc_solver_options *options = &problem->solver;
     const pdmc_uncertainty *noise = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_MICROMODULUS);
     pdmc_basis *basis = &kansa->basis;
     basis->shape = options->shape;

@@ -5,6 +5,7 @@
 #include "kansa/points.h"
 #include "kansa/rows.h"
 #include "pdmc/kansa.h"
+#include "pdmc/quadrature.h"
 
 /// The assembled and factored mean system A_0 x = F, A_0 [rows, unknowns], A_0 = Q R.
 struct pdmc_kansa {

@@ -64,7 +64,7 @@ static void add_interior(const pdmc_problem *problem, const pdmc_basis *basis, c
     const bool inside =
         fabs(x[0]) <= (0.5 + rounding) * problem->plate.width && fabs(x[1]) <= (0.5 + rounding) * problem->plate.height;
     const double clearance = tip_clearance(problem, x);
-    if (!inside || clearance <= 1.5 * problem->kansa.horizon || lies_on_a_crack(problem, basis, x)) return;
+    if (!inside || clearance <= 1.5 * problem->solver.horizon || lies_on_a_crack(problem, basis, x)) return;
     points->interior[points->interior_count++] = (pdmc_interior_point){{x[0], x[1]}, spacing, clearance};
 }
 

@@ -16,7 +16,7 @@ pdmc_solver_report pdmc_kansa_report(const pdmc_kansa *kansa)
         .rank = kansa->rank,
         .condition = kansa->condition,
         .residual = kansa->residual,
-        .horizon = kansa->problem->kansa.horizon,
+        .horizon = kansa->problem->solver.horizon,
         .spacing = kansa->spacing,
     };
 }

@@ -112,7 +112,7 @@ done:
 static pdmc_status create_operator(const pdmc_paper *paper, pdmc_affine *model)
 {
     pdmc_status status = PDMC_OK;
-    static const pdmc_affine_verbs verbs = {perturb, solve, destroy_operator};
+    static const pdmc_affine_verbs verbs = {.perturb = perturb, .solve = solve, .destroy = destroy_operator};
     const pdmc_uncertainty *noise = pdmc_problem_uncertainty(paper->problem, PDMC_QUANTITY_MICROMODULUS);
     expanded_operator *expansion = NULL;
     PDMC_NEW(expansion, 1);

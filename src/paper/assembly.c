@@ -21,7 +21,7 @@ static pdmc_status workspace_create(const pdmc_paper *paper, workspace **work)
     pdmc_status status = PDMC_OK;
     const size_t scalars = (size_t)paper->basis.scalars, terms = (size_t)paper->terms;
     PDMC_NEW(*work, 1);
-    PDMC_TRY(pdmc_paper_disc_create(paper->problem, paper->problem->kansa.horizon, &(*work)->disc));
+    PDMC_TRY(pdmc_paper_disc_create(paper->problem, paper->problem->solver.horizon, &(*work)->disc));
     const size_t bonds = (size_t)(*work)->disc.most_bonds;
     PDMC_NEW((*work)->own, scalars);
     PDMC_NEW((*work)->difference, bonds * scalars);
@@ -91,7 +91,7 @@ static double force_density(const pdmc_problem *problem, const double x[2], int 
     for (int l = 0; l < problem->load_count; l++)
         if (pdmc_paper_on_side(&problem->plate, problem->loads[l].side, x))
             sum += problem->loads[l].traction[component];
-    return sum / problem->kansa.edge_layer;
+    return sum / problem->solver.edge_layer;
 }
 
 static void hold(pdmc_paper *paper, const workspace *work, const pdmc_support *support, int component, int row)
@@ -121,7 +121,7 @@ static void equate(pdmc_paper *paper, const workspace *work, const double x[2], 
         copy_scaled(2 * (int)scalars, 1.0, &work->block[(3 * p + (size_t)component) * scalars],
                     &paper->term[(p * (size_t)paper->rows_of_nodes + r) * n]);
     balance(paper, x, component, row);
-    paper->load[1][row] = paper->problem->kansa.horizon * force_density(paper->problem, x, component);
+    paper->load[1][row] = paper->problem->solver.horizon * force_density(paper->problem, x, component);
 }
 
 static pdmc_status assemble_node(pdmc_paper *paper, workspace *work, int i)

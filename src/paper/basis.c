@@ -19,7 +19,7 @@ pdmc_status pdmc_paper_basis_create(const pdmc_problem *problem, pdmc_paper_basi
     pdmc_status status = PDMC_OK;
     *basis = (pdmc_paper_basis){.problem = problem};
     basis->scale = 0.5 * fmin(problem->plate.width, problem->plate.height);
-    if (problem->kansa.tip_functions == PDMC_ON) basis->tip_count = 2 * problem->crack_count;
+    if (problem->solver.tip_functions == PDMC_ON) basis->tip_count = 2 * problem->crack_count;
     PDMC_TRY(pdmc_paper_nodes_create(problem, &basis->nodes));
     PDMC_NEW(basis->tip, basis->tip_count);
     for (int t = 0; t < basis->tip_count; t++) fill_tip(&problem->cracks[t / 2], t % 2, &basis->tip[t]);
@@ -95,7 +95,7 @@ void pdmc_paper_q_values(const pdmc_paper_basis *basis, const double x[2], const
 void pdmc_paper_values(const pdmc_paper_basis *basis, const double x[2], const double anchor[2], double value[])
 {
     const pdmc_problem *problem = basis->problem;
-    const double shape = problem->kansa.shape;
+    const double shape = problem->solver.shape;
     for (int k = 0; k < basis->nodes.count; k++) {
         const double *node = &basis->nodes.x[2 * k];
         const double dx = x[0] - node[0], dy = x[1] - node[1];

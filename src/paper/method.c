@@ -14,8 +14,8 @@ static pdmc_solver_report report(const void *method)
         .rank = paper->unknowns,
         .condition = paper->condition,
         .residual = paper->residual,
-        .horizon = paper->problem->kansa.horizon,
-        .spacing = paper->problem->kansa.spacing,
+        .horizon = paper->problem->solver.horizon,
+        .spacing = paper->problem->solver.spacing,
     };
 }
 

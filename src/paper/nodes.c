@@ -18,7 +18,7 @@ static const pdmc_crack *crack_through(const pdmc_problem *problem, const double
 {
     for (int c = 0; c < problem->crack_count; c++) {
         const pdmc_crack *crack = &problem->cracks[c];
-        if (pdmc_point_segment_distance(x, crack->from, crack->to) <= aside * problem->kansa.spacing) return crack;
+        if (pdmc_point_segment_distance(x, crack->from, crack->to) <= aside * problem->solver.spacing) return crack;
     }
     return NULL;
 }
@@ -38,7 +38,7 @@ static void add_node(const pdmc_problem *problem, const double x[2], pdmc_paper_
         return;
     }
     const double d[2] = {crack->to[0] - crack->from[0], crack->to[1] - crack->from[1]};
-    const double step = 2.0 * aside * problem->kansa.spacing / hypot(d[0], d[1]);
+    const double step = 2.0 * aside * problem->solver.spacing / hypot(d[0], d[1]);
     add(nodes, x[0] - step * d[1], x[1] + step * d[0]);
     add(nodes, x[0] + step * d[1], x[1] - step * d[0]);
 }
@@ -47,7 +47,7 @@ pdmc_status pdmc_paper_nodes_create(const pdmc_problem *problem, pdmc_paper_node
 {
     pdmc_status status = PDMC_OK;
     const pdmc_plate *plate = &problem->plate;
-    const int nx = cells(plate->width, problem->kansa.spacing), ny = cells(plate->height, problem->kansa.spacing);
+    const int nx = cells(plate->width, problem->solver.spacing), ny = cells(plate->height, problem->solver.spacing);
     *nodes = (pdmc_paper_nodes){0};
     PDMC_NEW(nodes->x, 2 * 2 * (nx + 1) * (ny + 1));
     for (int j = 0; j <= ny; j++) {

@@ -99,7 +99,7 @@ done:
 pdmc_status pdmc_paper_create(const pdmc_problem *problem, int threads, pdmc_paper **paper)
 {
     PDMC_REQUIRE(threads >= 1, "%d threads: at least one is needed", threads);
-    PDMC_REQUIRE(problem->kansa.edge_layer > 0.0, "edge layer %g is not positive", problem->kansa.edge_layer);
+    PDMC_REQUIRE(problem->solver.edge_layer > 0.0, "edge layer %g is not positive", problem->solver.edge_layer);
     pdmc_status status = PDMC_OK;
     pdmc_paper *made = NULL;
     pdmc_blas_prepare();

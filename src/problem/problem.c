@@ -67,3 +67,10 @@ double pdmc_wave_speed(const pdmc_material *material, double density)
     const double shear_modulus = 0.5 * material->youngs_modulus / (1.0 + pdmc_poissons_ratio(material->assumption));
     return sqrt(3.0 * shear_modulus / density);
 }
+
+bool pdmc_problem_is_tip(const pdmc_problem *problem, int tip)
+{
+    const pdmc_crack *crack = &problem->cracks[tip / 2];
+    const double *end = tip % 2 ? crack->to : crack->from;
+    return fabs(end[0]) < 0.5 * problem->plate.width && fabs(end[1]) < 0.5 * problem->plate.height;
+}

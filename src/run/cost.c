@@ -28,7 +28,7 @@ typedef struct {
 
 static sizes count(const pdmc_problem *problem, double spacing)
 {
-    const pdmc_kansa_options *options = &problem->kansa;
+    const pdmc_solver_options *options = &problem->solver;
     const double nx = fmax(1.0, round(problem->plate.width / spacing));
     const double ny = fmax(1.0, round(problem->plate.height / spacing));
     const double monomials = 0.5 * (options->polynomial_degree + 1) * (options->polynomial_degree + 2);
@@ -53,9 +53,9 @@ typedef struct {
 static amounts count_all(const pdmc_problem *problem, int threads)
 {
     const pdmc_uncertainty *noise = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_MICROMODULUS);
-    amounts a = {.threads = threads, .rings = problem->kansa.radial_points, .samples = problem->sampling.samples};
-    a.fine = count(problem, problem->kansa.spacing);
-    a.coarse = count(problem, 1.25 * problem->kansa.spacing);
+    amounts a = {.threads = threads, .rings = problem->solver.radial_points, .samples = problem->sampling.samples};
+    a.fine = count(problem, problem->solver.spacing);
+    a.coarse = count(problem, 1.25 * problem->solver.spacing);
     a.steps = problem->kind == PDMC_DYNAMIC ? pdmc_problem_steps(problem) : 0.0;
     a.terms = noise ? a.rings : 0.0;
     a.directions = problem->energy.tip_count * (double)problem->energy.angles;

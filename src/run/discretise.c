@@ -9,12 +9,12 @@
 pdmc_status pdmc_discretise(const pdmc_problem *problem, int threads, pdmc_discretisation *out)
 {
     *out = (pdmc_discretisation){0};
-    switch (problem->kansa.crack_model) {
+    switch (problem->solver.crack_model) {
     case PDMC_CRACKS_ANALYTIC: return pdmc_kansa_discretise(problem, threads, out);
     case PDMC_CRACKS_VISIBLE: return pdmc_visible_discretise(problem, threads, out);
     case PDMC_CRACKS_PAPER: return pdmc_paper_discretise(problem, threads, out);
     }
-    return pdmc_raise(PDMC_ERR_ARG, "crack model %d is unknown", (int)problem->kansa.crack_model);
+    return pdmc_raise(PDMC_ERR_ARG, "crack model %d is unknown", (int)problem->solver.crack_model);
 }
 
 void pdmc_discretisation_clear(pdmc_discretisation *discretisation)

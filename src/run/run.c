@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_math.h>
 #include <math.h>
+#include <sys/resource.h>
 #include <time.h>
 
 enum { HISTOGRAM_BINS = 60 };
@@ -79,9 +80,9 @@ static pdmc_status estimate_errors(const pdmc_problem *problem, int threads, pdm
     pdmc_status status = PDMC_OK;
     pdmc_problem coarse = *problem;
     pdmc_discretisation plate = {0};
-    coarse.kansa.spacing *= 1.25;
-    coarse.kansa.shape *= 1.25;
-    coarse.kansa.refinement = (int)fmax(0.8 * coarse.kansa.refinement, 2.0);
+    coarse.solver.spacing *= 1.25;
+    coarse.solver.shape *= 1.25;
+    coarse.solver.refinement = (int)fmax(0.8 * coarse.solver.refinement, 2.0);
     PDMC_TRY(pdmc_discretise(&coarse, threads, &plate));
     for (int t = 0; t < results->tip_count; t++) {
         pdmc_tip *tip = &results->tips[t], other;
@@ -142,6 +143,13 @@ done:
     return status;
 }
 
+// The system counts it for the process as a whole, in kB.
+static double peak_memory(void)
+{
+    struct rusage usage;
+    return getrusage(RUSAGE_SELF, &usage) == 0 ? 1024.0 * (double)usage.ru_maxrss : NAN;
+}
+
 pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
@@ -159,6 +167,7 @@ pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, p
     PDMC_TRY((problem->kind == PDMC_STATIC ? run_samples : pdmc_run_motion)(problem, &plate, options, results));
     results->runtime.total = pdmc_seconds() - start;
     results->runtime.output = NAN; // measured where the file is made
+    results->runtime.peak_memory = peak_memory();
 done:
     pdmc_discretisation_clear(&plate);
     if (status != PDMC_OK) pdmc_results_clear(results);

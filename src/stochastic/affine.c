@@ -9,9 +9,10 @@ void pdmc_affine_clear(pdmc_affine *model)
     pdmc_free(model->modulus_weight);
     for (int l = 0; l < 2; l++) pdmc_free(model->solution[l]);
     pdmc_free(model->stress_intensity);
-    pdmc_ring_rule_clear(&model->energy_rings);
+    pdmc_free(model->ring_weight);
     for (int d = 0; model->crossings && d < model->tips * model->angles; d++) {
         pdmc_free(model->crossings[d].row);
+        pdmc_free(model->crossings[d].column);
         pdmc_free(model->crossings[d].ring);
     }
     pdmc_free(model->crossings);

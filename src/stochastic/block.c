@@ -3,6 +3,7 @@
 
 #include "base/base_impl.h"
 #include "pdmc/fracture.h"
+#include "stochastic/krylov.h"
 
 #include <cblas.h>
 #include <math.h>
@@ -22,7 +23,7 @@ static pdmc_status allocate(pdmc_block *block)
 {
     pdmc_status status = PDMC_OK;
     const pdmc_affine *model = block->model;
-    const int rings = model->energy_rings.rings, each = model->bins + rings;
+    const int rings = model->rings, each = model->bins + rings;
     const size_t unknowns = (size_t)model->unknowns;
     PDMC_NEW(block->numbers, B * (size_t)each);
     PDMC_NEW(block->xi, B * (size_t)model->terms);
@@ -30,6 +31,7 @@ static pdmc_status allocate(pdmc_block *block)
     PDMC_NEW(block->term, B * unknowns);
     PDMC_NEW(block->next, B * unknowns);
     PDMC_NEW(block->stretch, B * (size_t)most_bonds(model));
+    PDMC_NEW(block->ring_sum, B * (size_t)rings);
     PDMC_NEW(block->intensity, B * 2 * (size_t)model->tips);
     PDMC_NEW(block->energy, B * (size_t)(model->tips * model->angles));
     for (int s = 0; s < B; s++) {
@@ -66,6 +68,7 @@ void pdmc_block_destroy(pdmc_block **block)
     pdmc_free(old->term);
     pdmc_free(old->next);
     pdmc_free(old->stretch);
+    pdmc_free(old->ring_sum);
     pdmc_free(old->intensity);
     pdmc_free(old->energy);
     pdmc_free(old);
@@ -79,6 +82,7 @@ void pdmc_block_draw(pdmc_block *block, int first, int count)
         else pdmc_draw_mean(block->model, &block->draw[s]);
         block->failure[s] = block->draw[s].effective_modulus > 0.0 ? PDMC_SAMPLE_OK : PDMC_SAMPLE_SOFT;
         block->contraction[s] = NAN;
+        block->residual[s] = NAN;
     }
 }
 
@@ -135,23 +139,69 @@ static pdmc_status solve_directly(pdmc_block *block, int count)
     return PDMC_OK;
 }
 
+static pdmc_status iterate(pdmc_block *block)
+{
+    const double tolerance = block->problem->sampling.tolerance;
+    const pdmc_affine *model = block->model;
+    if (model->terms == 0) return PDMC_OK;
+    const pdmc_status status = pdmc_krylov_solve(model, block->xi, tolerance, block->x, block->residual);
+    for (int s = 0; s < B && status == PDMC_OK; s++) {
+        if (block->failure[s] != PDMC_SAMPLE_OK) continue;
+        if (isnan(block->residual[s])) block->failure[s] = PDMC_SAMPLE_SINGULAR;
+        else if (block->residual[s] > tolerance) block->failure[s] = PDMC_SAMPLE_DIVERGED;
+    }
+    return status;
+}
+
+static pdmc_status solve_by_inverse(pdmc_block *block, int count)
+{
+    switch (block->problem->sampling.inverse) {
+    case PDMC_INVERSE_DIRECT: return solve_directly(block, count);
+    case PDMC_INVERSE_NEUMANN: return expand(block);
+    case PDMC_INVERSE_KRYLOV: return iterate(block);
+    }
+    return pdmc_raise(PDMC_ERR_ARG, "inverse %d is unknown", (int)block->problem->sampling.inverse);
+}
+
 pdmc_status pdmc_block_solve(pdmc_block *block, int count)
 {
     const double begin = pdmc_seconds();
     start(block);
-    const bool direct = block->problem->sampling.inverse == PDMC_INVERSE_DIRECT;
-    const pdmc_status status = direct ? solve_directly(block, count) : expand(block);
+    const pdmc_status status = solve_by_inverse(block, count);
     block->solve_seconds += pdmc_seconds() - begin;
     return status;
+}
+
+static void full_stretches(pdmc_block *block, const pdmc_crossing *crossing)
+{
+    const int n = block->model->unknowns;
+    if (crossing->bonds > 0)
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, crossing->bonds, B, n, 1.0, crossing->row, n, block->x, n,
+                    0.0, block->stretch, B);
+}
+
+// Sample by sample, since the unknowns near a tip stay in the cache.
+static void sparse_stretches(pdmc_block *block, const pdmc_crossing *crossing)
+{
+    for (int s = 0; s < B; s++) {
+        const double *x = &block->x[(size_t)s * (size_t)block->model->unknowns];
+        for (int b = 0; b < crossing->bonds; b++) {
+            double stretch = 0.0;
+            for (int k = b * PDMC_BOND_ENDS; k < (b + 1) * PDMC_BOND_ENDS; k++)
+                stretch += crossing->row[k] * x[crossing->column[k]];
+            block->stretch[b * B + s] = stretch;
+        }
+    }
 }
 
 // Sums the squared stretches over each ring's bonds, in their order, and weights the rings by each sample's c(r).
 static void sum_rings(const pdmc_block *block, const pdmc_crossing *crossing, pdmc_bonds bonds, double energy[])
 {
-    double ring_sum[PDMC_MAX_RINGS][B] = {{0.0}};
+    const int rings = block->model->rings;
+    memset(block->ring_sum, 0, (size_t)rings * B * sizeof *block->ring_sum);
     for (int b = 0; b < crossing->bonds; b++) {
         const double *stretch = &block->stretch[(size_t)b * B];
-        double *sum = ring_sum[crossing->ring[b]];
+        double *sum = &block->ring_sum[crossing->ring[b] * B];
         if (bonds == PDMC_BONDS_ALL) {
             for (int s = 0; s < B; s++) sum[s] += stretch[s] * stretch[s];
         } else {
@@ -160,8 +210,7 @@ static void sum_rings(const pdmc_block *block, const pdmc_crossing *crossing, pd
     }
     for (int s = 0; s < B; s++) {
         double sum = 0.0;
-        for (int q = 0; q < block->model->energy_rings.rings; q++)
-            sum += block->draw[s].ring_weight[q] * ring_sum[q][s];
+        for (int q = 0; q < rings; q++) sum += block->draw[s].ring_weight[q] * block->ring_sum[q * B + s];
         energy[s] = 0.5 * block->model->micromodulus * sum;
     }
 }
@@ -176,9 +225,7 @@ void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds)
                     block->x, n, 0.0, block->intensity, B);
     for (int d = 0; d < model->tips * model->angles; d++) {
         const pdmc_crossing *crossing = &model->crossings[d];
-        if (crossing->bonds > 0)
-            cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, crossing->bonds, B, n, 1.0, crossing->row, n, block->x,
-                        n, 0.0, block->stretch, B);
+        (crossing->column ? sparse_stretches : full_stretches)(block, crossing);
         sum_rings(block, crossing, bonds, &block->energy[d * B]);
     }
     block->energy_seconds += pdmc_seconds() - begin;

@@ -12,9 +12,11 @@ typedef struct {
     double *numbers;         // the draws' arrays
     double *xi;              // [terms]
     double *x, *term, *next; // [unknowns] solution, last and next term of the expansion
-    double contraction[PDMC_BLOCK];
+    double contraction[PDMC_BLOCK]; // of the expansion, and the residual of the iteration; NaN with another inverse
+    double residual[PDMC_BLOCK];
     pdmc_sample_failure failure[PDMC_BLOCK];
     double *stretch;   // [bonds, PDMC_BLOCK]
+    double *ring_sum;  // [rings, PDMC_BLOCK] squared stretches
     double *intensity; // [2 tips, PDMC_BLOCK]
     double *energy;    // [tips angles, PDMC_BLOCK]
     double solve_seconds, energy_seconds;

@@ -5,7 +5,7 @@
 
 static void apply_weights(const pdmc_affine *model, pdmc_draw *draw)
 {
-    const int rings = model->energy_rings.rings;
+    const int rings = model->rings;
     draw->effective_modulus = 1.0;
     for (int m = 0; m < model->terms; m++) draw->xi[m] = 0.0;
     for (int q = 0; q < rings; q++) draw->ring_weight[q] = 0.0;
@@ -13,7 +13,7 @@ static void apply_weights(const pdmc_affine *model, pdmc_draw *draw)
         const double c = draw->micromodulus[b], eta = c - 1.0;
         draw->effective_modulus += eta * model->modulus_weight[b];
         for (int m = 0; m < model->terms; m++) draw->xi[m] += eta * model->term_weight[b * model->terms + m];
-        for (int q = 0; q < rings; q++) draw->ring_weight[q] += c * model->energy_rings.weight[b * rings + q];
+        for (int q = 0; q < rings; q++) draw->ring_weight[q] += c * model->ring_weight[b * rings + q];
     }
 }
 

@@ -38,7 +38,7 @@ static pdmc_status check_steps(const pdmc_study_reader *reader)
 
 pdmc_status pdmc_study_check_dynamics(const pdmc_study_reader *reader)
 {
-    if (reader->problem->kansa.crack_model != PDMC_CRACKS_ANALYTIC)
+    if (reader->problem->solver.crack_model != PDMC_CRACKS_ANALYTIC)
         return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_SOLVER, -1, "crack_model"},
                                  "has no motion yet, must be \"analytic\" in a dynamic study");
     const pdmc_status status = check_supports(reader);

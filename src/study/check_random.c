@@ -35,3 +35,12 @@ pdmc_status pdmc_study_check_random(const pdmc_study_reader *reader)
     }
     return PDMC_OK;
 }
+
+pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader)
+{
+    const pdmc_problem *p = reader->problem;
+    if (p->sampling.inverse != PDMC_INVERSE_KRYLOV || p->solver.method == PDMC_METHOD_BOND) return PDMC_OK;
+    return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_SAMPLING, -1, "inverse"},
+                             "\"krylov\" needs the symmetric matrix of method = \"bond\", must be \"direct\" or "
+                             "\"neumann\"");
+}

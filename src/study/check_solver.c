@@ -10,7 +10,7 @@ static pdmc_study_address at(const char *key)
 
 static bool is_paper(const pdmc_study_reader *reader)
 {
-    return reader->problem->kansa.crack_model == PDMC_CRACKS_PAPER;
+    return reader->problem->solver.crack_model == PDMC_CRACKS_PAPER;
 }
 
 // The paper's first example is a single element.
@@ -18,7 +18,7 @@ static pdmc_status check_spacing(const pdmc_study_reader *reader)
 {
     const double node_limit = 5000.0; // twice as many unknowns, in a dense matrix
     const pdmc_plate *plate = &reader->problem->plate;
-    const double h = reader->problem->kansa.spacing;
+    const double h = reader->problem->solver.spacing;
     const double share = is_paper(reader) ? 1.0 : 0.25, largest = share * fmin(plate->width, plate->height);
     const double nodes = (plate->width / h) * (plate->height / h);
     if (!(h <= pdmc_study_with_rounding(largest)))
@@ -38,8 +38,8 @@ static pdmc_status check_spacing(const pdmc_study_reader *reader)
 static pdmc_status check_horizon(const pdmc_study_reader *reader)
 {
     const pdmc_problem *p = reader->problem;
-    const bool is_visible = p->kansa.crack_model == PDMC_CRACKS_VISIBLE;
-    const double horizon = p->kansa.horizon, half_crack = pdmc_study_shortest_half_crack(p);
+    const bool is_visible = p->solver.crack_model == PDMC_CRACKS_VISIBLE;
+    const double horizon = p->solver.horizon, half_crack = pdmc_study_shortest_half_crack(p);
     const double by_crack = is_visible ? half_crack : 0.5 * half_crack;
     const double by_plate = 0.3 * fmin(p->plate.width, p->plate.height);
     if (!(horizon <= pdmc_study_with_rounding(by_crack)))
@@ -64,7 +64,7 @@ static void warn_of_paper(const pdmc_study_reader *reader)
 
 static void warn_of_shape(const pdmc_study_reader *reader)
 {
-    const pdmc_kansa_options *kansa = &reader->problem->kansa;
+    const pdmc_solver_options *kansa = &reader->problem->solver;
     const double ratio = kansa->shape / kansa->spacing;
     if (kansa->crack_model != PDMC_CRACKS_ANALYTIC) return;
     if (pdmc_study_with_rounding(ratio) < 2.0 || ratio > pdmc_study_with_rounding(8.0))
@@ -75,7 +75,11 @@ static void warn_of_shape(const pdmc_study_reader *reader)
 
 pdmc_status pdmc_study_check_solver(const pdmc_study_reader *reader)
 {
-    pdmc_status status = check_spacing(reader);
+    static const char *const bonds = "method = \"bond\"";
+    if (reader->problem->solver.method == PDMC_METHOD_BOND) return pdmc_study_check_grid(reader);
+    pdmc_status status = pdmc_study_check_inner_tips(reader, bonds);
+    if (status == PDMC_OK) status = pdmc_study_check_apart(reader, bonds);
+    if (status == PDMC_OK) status = check_spacing(reader);
     if (status != PDMC_OK) return status;
     if (is_paper(reader)) { // its discs end at cracks and edges, and its shape is as advised when it is narrow
         warn_of_paper(reader);

@@ -23,33 +23,41 @@ static double shorter_side(const pdmc_problem *problem)
 
 double pdmc_study_default_spacing(const pdmc_problem *problem)
 {
-    return shorter_side(problem) / 20.0;
+    return shorter_side(problem) / (problem->solver.method == PDMC_METHOD_BOND ? 100.0 : 20.0);
 }
 
 double pdmc_study_default_horizon(const pdmc_problem *problem)
 {
+    const pdmc_solver_options *solver = &problem->solver;
+    if (solver->method == PDMC_METHOD_BOND)
+        return (solver->has_horizon_ratio ? solver->horizon_ratio : 5.0) * solver->spacing;
     return fmin(pdmc_study_shortest_half_crack(problem) / 5.0, shorter_side(problem) / 50.0);
 }
 
 double pdmc_study_default_shape(const pdmc_problem *problem)
 {
     // The paper's figure B.2 has psi = 0.16 on an element of side 1; wider functions that end at a crack ruin its solution.
-    return (problem->kansa.crack_model == PDMC_CRACKS_PAPER ? 0.16 : 6.0) * problem->kansa.spacing;
+    return (problem->solver.crack_model == PDMC_CRACKS_PAPER ? 0.16 : 6.0) * problem->solver.spacing;
 }
 
 double pdmc_study_default_edge_layer(const pdmc_problem *problem)
 {
-    return problem->kansa.horizon / 5.0;
+    return problem->solver.horizon / 5.0;
+}
+
+double pdmc_study_default_load_layer(const pdmc_problem *problem)
+{
+    return problem->solver.spacing;
 }
 
 double pdmc_study_default_step(const pdmc_problem *problem)
 {
-    return problem->kansa.spacing / (4.0 * pdmc_wave_speed(&problem->material, problem->dynamics.density));
+    return problem->solver.spacing / (4.0 * pdmc_wave_speed(&problem->material, problem->dynamics.density));
 }
 
 double pdmc_study_default_energy_horizon(const pdmc_problem *problem)
 {
-    return problem->kansa.horizon;
+    return problem->solver.horizon;
 }
 
 double pdmc_study_default_extension(const pdmc_problem *problem)

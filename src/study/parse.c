@@ -58,17 +58,25 @@ static pdmc_status check_keys(const pdmc_study_record *r)
     return PDMC_OK;
 }
 
-static pdmc_status refuse_of_quantity(const pdmc_study_record *r, const pdmc_study_setting *s)
+static pdmc_status refuse_of_other(const pdmc_study_record *r, const pdmc_study_setting *s)
 {
-    const pdmc_uncertainty *uncertainty = r->base;
-    const char *quantity = find_setting(SECTION_RANDOM, "quantity")->choices[uncertainty->quantity];
-    return pdmc_study_refuse(r->reader, pdmc_study_address_of(r, s), "is no setting of the quantity \"%s\"", quantity);
+    const pdmc_problem *problem = r->reader->problem;
+    const char *of = "quantity", *name;
+    if (s->quantities) {
+        const pdmc_uncertainty *uncertainty = r->base;
+        name = find_setting(r->section, of)->choices[uncertainty->quantity];
+    } else if (problem->solver.method != PDMC_METHOD_KANSA) {
+        name = find_setting(r->section, of = "method")->choices[problem->solver.method];
+    } else {
+        name = find_setting(r->section, of = "crack_model")->choices[problem->solver.crack_model];
+    }
+    return pdmc_study_refuse(r->reader, pdmc_study_address_of(r, s), "is no setting of the %s \"%s\"", of, name);
 }
 
 static pdmc_status read_setting(const pdmc_study_record *r, const pdmc_study_setting *s)
 {
     const config_setting_t *value = r->group ? config_setting_get_member(r->group, s->key) : NULL;
-    if (!pdmc_study_setting_belongs(s, r->base)) return value ? refuse_of_quantity(r, s) : PDMC_OK;
+    if (!pdmc_study_setting_belongs(s, r->base)) return value ? refuse_of_other(r, s) : PDMC_OK;
     if (!value && !s->fallback) return pdmc_study_refuse_missing(r, s);
     return pdmc_study_read_value(r, s, value);
 }

@@ -12,6 +12,11 @@
 #define ONLY(quantity) (1U << (quantity))
 #define IN_PROBLEM(field) offsetof(pdmc_problem, field)
 #define OF(kind) .kinds = ONLY(kind)
+#define FOR(bits) .solvers = (bits)
+#define ANALYTIC ONLY(SOLVER_ANALYTIC)
+#define PAPER ONLY(SOLVER_PAPER)
+#define VISIBLE ONLY(SOLVER_VISIBLE)
+#define BOND ONLY(SOLVER_BOND)
 #define LIST(type, field, length)                                                                                      \
     .size = sizeof(type), .items = offsetof(pdmc_problem, field), .count = offsetof(pdmc_problem, length)
 
@@ -43,7 +48,8 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
     [SECTION_RANDOM] = {.name = "random", .doc = "list of uncertain quantities; without it the study is deterministic",
                         LIST(pdmc_uncertainty, uncertainties, uncertainty_count), .check = pdmc_study_check_random,
                         OF(PDMC_STATIC), .instead = "a dynamic study is deterministic for now"},
-    [SECTION_SAMPLING] = {.name = "sampling", .doc = "the Monte Carlo simulation", OF(PDMC_STATIC)},
+    [SECTION_SAMPLING] = {.name = "sampling", .doc = "the Monte Carlo simulation", OF(PDMC_STATIC),
+                          .check = pdmc_study_check_sampling},
     [SECTION_ENERGY] = {.name = "energy", .doc = "the energy release rates that are asked for",
                         OF(PDMC_STATIC), .check = pdmc_study_check_energy},
 };
@@ -55,9 +61,12 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define FACES CHOICES("none", "left", "right")
 #define QUANTITIES CHOICES("micromodulus", "load")
 #define DISTRIBUTIONS CHOICES("normal", "lognormal")
+#define METHODS CHOICES("kansa", "bond")
+#define AREAS CHOICES("full", "partial", "exact", "centroid")
+#define MICROMODULI CHOICES("averaged", "at_nodes")
 #define SWITCH CHOICES("off", "on")
 #define STENCILS CHOICES("imq", "polyharmonic")
-#define INVERSES CHOICES("direct", "neumann")
+#define INVERSES CHOICES("direct", "neumann", "krylov")
 #define BONDS CHOICES("all", "tensile")
 #define MEASURES CHOICES("bond", "griffith")
 
@@ -103,35 +112,51 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_SUPPORTS, "y", KIND_OPTIONAL, UNIT_LENGTH, ANY, offsetof(pdmc_support, displacement[1]),
      .flag = offsetof(pdmc_support, held[1]), .fallback = "free", .doc = "prescribed displacement in y"},
 
-    {SECTION_SOLVER, "method", KIND_CHOICE, .offset = NOT_STORED, .choices = CHOICES("kansa"),
-     .planned = CHOICES("bond"), .fallback = "kansa", .doc = "least-squares collocation"},
-    {SECTION_SOLVER, "crack_model", KIND_CHOICE, .offset = IN_PROBLEM(kansa.crack_model),
-     .choices = CHOICES("analytic", "paper", "visible"), .fallback = "analytic",
+    {SECTION_SOLVER, "method", KIND_CHOICE, .offset = IN_PROBLEM(solver.method), .choices = METHODS,
+     .fallback = "kansa", .doc = "collocation, or a grid of nodes and their bonds"},
+    {SECTION_SOLVER, "crack_model", KIND_CHOICE, .offset = IN_PROBLEM(solver.crack_model),
+     .choices = CHOICES("analytic", "paper", "visible"), .fallback = "analytic", FOR(ANALYTIC | PAPER | VISIBLE),
      .doc = "analytic fields, the local limit; the recipe of Evangelatos & Spanos, which does not converge; or visible "
             "nodes, bonds of the horizon that cracks cut"},
-    {SECTION_SOLVER, "spacing", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(kansa.spacing),
-     .derive = pdmc_study_default_spacing, .fallback = "min(width, height) / 20",
-     .doc = "h of the collocation nodes; unknowns grow as 1/h^2, cost as 1/h^6"},
-    {SECTION_SOLVER, "horizon", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(kansa.horizon),
-     .derive = pdmc_study_default_horizon, .fallback = "min(a / 5, width / 50, height / 50)",
+    {SECTION_SOLVER, "spacing", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(solver.spacing),
+     .derive = pdmc_study_default_spacing, .fallback = "min(width, height) / 20, / 100 of the bond method",
+     .doc = "h of the nodes; unknowns grow as 1/h^2, the cost of the dense collocation as 1/h^6"},
+    {SECTION_SOLVER, "horizon_ratio", KIND_OPTIONAL, .range = FROM_TO(1.0, 100.0),
+     .offset = IN_PROBLEM(solver.horizon_ratio), .flag = IN_PROBLEM(solver.has_horizon_ratio), .fallback = "none",
+     FOR(BOND), .doc = "the horizon in spacings, instead of its length"},
+    {SECTION_SOLVER, "horizon", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(solver.horizon),
+     .derive = pdmc_study_default_horizon, .fallback = "min(a / 5, width / 50, height / 50), 5 spacing of the bond method",
      .doc = "length of the longest bond; a: half of the shortest crack"},
-    {SECTION_SOLVER, "shape", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(kansa.shape),
-     .derive = pdmc_study_default_shape, .fallback = "6 spacing", .doc = "psi of the inverse multiquadric; 0.16 spacing for the paper's cracks"},
+    {SECTION_SOLVER, "shape", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(solver.shape),
+     .derive = pdmc_study_default_shape, .fallback = "6 spacing, 0.16 spacing of the paper's cracks", FOR(ANALYTIC | PAPER),
+     .doc = "psi of the inverse multiquadric"},
     {SECTION_SOLVER, "polynomial_degree", KIND_INT, .range = FROM_TO(0, 6),
-     .offset = IN_PROBLEM(kansa.polynomial_degree), .fallback = "3", .doc = "of the appended monomials"},
-    {SECTION_SOLVER, "crack_orders", KIND_INT, .range = FROM_TO(1, 20), .offset = IN_PROBLEM(kansa.crack_orders),
-     .fallback = "6", .doc = "orders of the analytic crack fields"},
-    {SECTION_SOLVER, "radial_points", KIND_INT, .range = FROM_TO(3, 12), .offset = IN_PROBLEM(kansa.radial_points),
-     .fallback = "6", .doc = "rings on which the operator is sampled for a random c(r)"},
-    {SECTION_SOLVER, "tip_functions", KIND_CHOICE, .offset = IN_PROBLEM(kansa.tip_functions), .choices = SWITCH,
-     .fallback = "on", .doc = "of the paper's cracks: the four functions of eq. 38 at every tip"},
-    {SECTION_SOLVER, "edge_layer", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(kansa.edge_layer),
-     .derive = pdmc_study_default_edge_layer, .fallback = "horizon / 5",
-     .doc = "of the paper's cracks: thickness e of the layer that tractions act on, as forces sigma / e"},
-    {SECTION_SOLVER, "refinement", KIND_INT, .range = FROM_TO(2, 16), .offset = IN_PROBLEM(kansa.refinement),
-     .fallback = "6", .doc = "nodes a horizon near cracks, where they are visible"},
-    {SECTION_SOLVER, "stencil", KIND_CHOICE, .offset = IN_PROBLEM(kansa.stencil), .choices = STENCILS, .fallback = "imq",
-     .doc = "radial function between visible nodes: inverse multiquadric, or r^3"},
+     .offset = IN_PROBLEM(solver.polynomial_degree), .fallback = "3", FOR(ANALYTIC), .doc = "of the appended monomials"},
+    {SECTION_SOLVER, "crack_orders", KIND_INT, .range = FROM_TO(1, 20), .offset = IN_PROBLEM(solver.crack_orders),
+     .fallback = "6", FOR(ANALYTIC), .doc = "orders of the analytic crack fields"},
+    {SECTION_SOLVER, "radial_points", KIND_INT, .range = FROM_TO(3, 12), .offset = IN_PROBLEM(solver.radial_points),
+     .fallback = "6", FOR(ANALYTIC), .doc = "rings on which the operator is sampled for a random c(r)"},
+    {SECTION_SOLVER, "tip_functions", KIND_CHOICE, .offset = IN_PROBLEM(solver.tip_functions), .choices = SWITCH,
+     .fallback = "on", FOR(PAPER), .doc = "the four functions of eq. 38 at every tip"},
+    {SECTION_SOLVER, "edge_layer", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(solver.edge_layer),
+     .derive = pdmc_study_default_edge_layer, .fallback = "horizon / 5", FOR(PAPER),
+     .doc = "thickness e of the layer that tractions act on, as forces sigma / e"},
+    {SECTION_SOLVER, "refinement", KIND_INT, .range = FROM_TO(2, 16), .offset = IN_PROBLEM(solver.refinement),
+     .fallback = "6", FOR(VISIBLE), .doc = "nodes a horizon near cracks"},
+    {SECTION_SOLVER, "stencil", KIND_CHOICE, .offset = IN_PROBLEM(solver.stencil), .choices = STENCILS, .fallback = "imq",
+     FOR(VISIBLE), .doc = "radial function between visible nodes: inverse multiquadric, or r^3"},
+    {SECTION_SOLVER, "area", KIND_CHOICE, .offset = IN_PROBLEM(solver.area), .choices = AREAS, .fallback = "centroid",
+     FOR(BOND), .doc = "of a cell that the edge of the horizon cuts: all of it if its middle is inside, a linear share, "
+                       "the exact area, or that with the bond to its centroid"},
+    {SECTION_SOLVER, "surface_correction", KIND_CHOICE, .offset = IN_PROBLEM(solver.surface_correction),
+     .choices = SWITCH, .fallback = "on", FOR(BOND),
+     .doc = "stiffer bonds near edges, by the energy of the bonds that are missing there"},
+    {SECTION_SOLVER, "micromodulus", KIND_CHOICE, .offset = IN_PROBLEM(solver.micromodulus), .choices = MICROMODULI,
+     .fallback = "averaged", FOR(BOND),
+     .doc = "a random c(r) of a bond to a cell: averaged over the cell, or at its node"},
+    {SECTION_SOLVER, "load_layer", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(solver.load_layer),
+     .derive = pdmc_study_default_load_layer, .fallback = "spacing", FOR(BOND),
+     .doc = "thickness of the layer of nodes that a traction is spread over"},
 
     {SECTION_DYNAMICS, "density", KIND_REAL, UNIT_MASS_DENSITY, POSITIVE, IN_PROBLEM(dynamics.density),
      .doc = "mass of a unit of volume"},
@@ -171,9 +196,13 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_SAMPLING, "samples", KIND_INT, .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.samples),
      .fallback = "1000", .doc = "a smaller number is a prefix of a larger one"},
     {SECTION_SAMPLING, "inverse", KIND_CHOICE, .offset = IN_PROBLEM(sampling.inverse), .choices = INVERSES,
-     .fallback = "neumann", .doc = "how each sample is solved"},
+     .planned = CHOICES("reduced"), .fallback = "neumann",
+     .doc = "how each sample is solved: by its own factorisation, or round that of the mean by the Neumann expansion or "
+            "conjugate gradients"},
     {SECTION_SAMPLING, "order", KIND_INT, .range = FROM_TO(0, 8), .offset = IN_PROBLEM(sampling.order), .fallback = "4",
      .doc = "of the Neumann expansion"},
+    {SECTION_SAMPLING, "tolerance", KIND_REAL, .range = {0.0, 0.1, true}, .offset = IN_PROBLEM(sampling.tolerance),
+     .fallback = "1e-8", .doc = "of the relative residual of inverse = \"krylov\""},
 
     {SECTION_ENERGY, "tips", KIND_TIPS, .offset = NOT_STORED, .fallback = "all tips",
      .doc = "[\"<crack>.from\", \"<crack>.to\", ...]"},
@@ -198,11 +227,21 @@ _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == si
                    sizeof(pdmc_inverse) == sizeof(int) && sizeof(pdmc_switch) == sizeof(int) &&
                    sizeof(pdmc_stencil_kind) == sizeof(int) && sizeof(pdmc_bonds) == sizeof(int) &&
                    sizeof(pdmc_measure) == sizeof(int) && sizeof(pdmc_problem_kind) == sizeof(int) &&
-                   sizeof(pdmc_face) == sizeof(int),
+                   sizeof(pdmc_face) == sizeof(int) && sizeof(pdmc_method) == sizeof(int) &&
+                   sizeof(pdmc_bond_area) == sizeof(int) && sizeof(pdmc_bond_micromodulus) == sizeof(int),
                "enumerations of another size");
+
+pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem)
+{
+    static const pdmc_study_solver of_cracks[] = {
+        [PDMC_CRACKS_ANALYTIC] = SOLVER_ANALYTIC, [PDMC_CRACKS_PAPER] = SOLVER_PAPER,
+        [PDMC_CRACKS_VISIBLE] = SOLVER_VISIBLE};
+    return problem->solver.method == PDMC_METHOD_BOND ? SOLVER_BOND : of_cracks[problem->solver.crack_model];
+}
 
 bool pdmc_study_setting_belongs(const pdmc_study_setting *setting, const void *base)
 {
+    if (setting->solvers != 0) return setting->solvers & ONLY(pdmc_study_solver_of(base));
     if (setting->quantities == 0) return true;
     const pdmc_uncertainty *uncertainty = base;
     return setting->quantities & ONLY(uncertainty->quantity);

@@ -90,6 +90,9 @@ typedef enum {
     UNIT_MASS_DENSITY
 } pdmc_study_unit;
 
+/// A method, and for the collocation how it treats cracks.
+typedef enum { SOLVER_ANALYTIC, SOLVER_PAPER, SOLVER_VISIBLE, SOLVER_BOND } pdmc_study_solver;
+
 /// What the base units are called.
 typedef struct {
     const char *length, *force, *time;
@@ -112,6 +115,7 @@ typedef struct {
     const char *const *choices; // ended by NULL, in the order of the enum
     const char *const *planned; // choices that are known, and not available yet; may be NULL
     unsigned quantities;        // the uncertain quantities the key belongs to, as bits; 0 for all
+    unsigned solvers;           // the solvers the key belongs to, as bits; 0 for all
     const char *fallback;       // as it would be written in the file; NULL where the setting is required
     double (*derive)(const pdmc_problem *problem); // the default that depends on other settings; fallback describes it
     const char *doc;
@@ -134,8 +138,10 @@ typedef struct {
 extern const pdmc_study_section pdmc_study_sections[SECTIONS];
 extern const pdmc_study_setting pdmc_study_settings[]; // by section, in the order of reading; ended by key = NULL
 
-/// Whether the key belongs to the record at `base` (the quantities of an uncertainty have different keys).
+/// Whether the key belongs to the record at `base`: the quantities of an uncertainty have different keys, and so have
+/// the solvers.
 bool pdmc_study_setting_belongs(const pdmc_study_setting *setting, const void *base);
+pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem);
 /// Whether a study of this kind has the section.
 bool pdmc_study_section_belongs(const pdmc_study_section *section, pdmc_problem_kind kind);
 void pdmc_study_print_unit(FILE *out, pdmc_study_unit unit, const pdmc_study_units *units);
@@ -149,6 +155,7 @@ const char *pdmc_study_kind_noun(pdmc_study_kind kind);
 /// Half the length of the shortest crack; infinite without cracks.
 double pdmc_study_shortest_half_crack(const pdmc_problem *problem);
 double pdmc_study_half_crack(const pdmc_crack *crack);
+double pdmc_study_default_load_layer(const pdmc_problem *problem);
 double pdmc_study_default_spacing(const pdmc_problem *problem);
 double pdmc_study_default_horizon(const pdmc_problem *problem);
 double pdmc_study_default_shape(const pdmc_problem *problem);
@@ -248,9 +255,14 @@ static inline double pdmc_study_with_rounding(double bound)
 PDMC_NODISCARD pdmc_status pdmc_study_check_cracks(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_loads(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_solver(const pdmc_study_reader *reader);
+/// Refuse cracks that end at an edge, and cracks that meet, saying which solver can have them.
+PDMC_NODISCARD pdmc_status pdmc_study_check_inner_tips(const pdmc_study_reader *reader, const char *instead);
+PDMC_NODISCARD pdmc_status pdmc_study_check_apart(const pdmc_study_reader *reader, const char *instead);
+PDMC_NODISCARD pdmc_status pdmc_study_check_grid(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_dynamics(const pdmc_study_reader *reader);
 /// Gives a history that is empty its one point, a factor of 1 from the start.
 PDMC_NODISCARD pdmc_status pdmc_study_check_history(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_probes(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_random(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_energy(const pdmc_study_reader *reader);

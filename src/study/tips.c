@@ -56,6 +56,8 @@ static pdmc_status read_tip(const pdmc_study_reader *reader, pdmc_study_address 
     const char *name = config_setting_get_string(value);
     const int tip = find_tip(reader->problem, name);
     if (tip < 0) return refuse_tip(reader, address, name);
+    if (!pdmc_problem_is_tip(reader->problem, tip))
+        return pdmc_study_refuse(reader, address, "\"%s\" is no tip: the crack goes through the edge there", name);
     for (int i = 0; i < energy->tip_count; i++)
         if (energy->tips[i] == tip) return pdmc_study_refuse(reader, address, "\"%s\" is there twice", name);
     energy->tips[energy->tip_count++] = tip;
@@ -71,7 +73,8 @@ pdmc_status pdmc_study_parse_tips(const pdmc_study_reader *reader, pdmc_study_ad
     PDMC_NEW(energy->tips, count);
     for (int i = 0; value && i < count; i++)
         PDMC_TRY(read_tip(reader, address, config_setting_get_elem(value, (unsigned)i)));
-    for (; energy->tip_count < count; energy->tip_count++) energy->tips[energy->tip_count] = energy->tip_count;
+    for (int tip = 0; !value && tip < count; tip++)
+        if (pdmc_problem_is_tip(reader->problem, tip)) energy->tips[energy->tip_count++] = tip;
 done:
     return status;
 }

@@ -27,7 +27,7 @@ static inline void plate_make(plate *p, double size, int cells, double horizon)
         .loads = p->loads,
         .supports = p->supports,
         .uncertainties = p->uncertainties,
-        .kansa = {.horizon = horizon,
+        .solver = {.horizon = horizon,
                   .spacing = size / cells,
                   .shape = 6.0 * size / cells,
                   .polynomial_degree = 3,

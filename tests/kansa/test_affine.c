@@ -224,8 +224,8 @@ static void refused_allocations_are_reported(void **state)
     pdmc_kansa *kansa = NULL;
     pdmc_affine model;
     make_noisy(&p, 3, 0.2, 4);
-    p.problem.kansa.crack_orders = 2;
-    p.problem.kansa.radial_points = 3;
+    p.problem.solver.crack_orders = 2;
+    p.problem.solver.radial_points = 3;
     p.problem.energy.angles = 4;
     p.problem.energy.tip_count = 1;
     CHECK_OK(pdmc_kansa_create(&p.problem, NULL, 1, &kansa));

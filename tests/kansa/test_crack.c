@@ -117,7 +117,7 @@ static void collinear_cracks(void **state)
     pdmc_tip tip[4];
     pdmc_kansa *kansa = NULL;
     plate_make(&p, 5.0, 16, 0.01);
-    p.problem.kansa.crack_orders = 10;
+    p.problem.solver.crack_orders = 10;
     plate_load(&p, PDMC_SIDE_TOP, 0.0, 1.0);
     plate_load(&p, PDMC_SIDE_BOTTOM, 0.0, -1.0);
     plate_crack(&p, 0.5 * (b + c), 0.0, 0.5 * (c - b), 0.0);
@@ -201,7 +201,7 @@ static void a_singular_system_is_refused(void **state)
     plate p;
     pdmc_kansa *kansa = NULL;
     plate_make_cracked(&p, 0.5, 0.0, 12);
-    p.problem.kansa.shape = 500.0;
+    p.problem.solver.shape = 500.0;
     CHECK_STATUS(pdmc_kansa_create(&p.problem, NULL, 1, &kansa), PDMC_ERR_SINGULAR);
     assert_null(kansa);
 }
@@ -212,7 +212,7 @@ static void refused_allocations_are_reported(void **state)
     plate p;
     pdmc_kansa *kansa = NULL;
     plate_make_cracked(&p, 0.5, 0.0, 4);
-    p.problem.kansa.crack_orders = 2;
+    p.problem.solver.crack_orders = 2;
     CHECK_FAILS_CLEANLY(pdmc_kansa_create(&p.problem, NULL, 1, &kansa), pdmc_kansa_destroy(&kansa));
 }
 

@@ -147,7 +147,7 @@ static double wave_error(int cells, double shape)
     const pdmc_kansa_data data = {wave_body_force, wave_traction, wave_displacement};
     plate p;
     plate_make(&p, 1.0, cells, 0.15);
-    p.problem.kansa.shape = shape;
+    p.problem.solver.shape = shape;
     p.supports[0] = (pdmc_support){PDMC_SIDE_LEFT, {true, true}, {0.0, 0.0}};
     p.problem.support_count = 1;
     compute_stiffness(0.15);

@@ -8,7 +8,7 @@
 
 static inline void paper_settings(plate *p, bool tip_functions)
 {
-    p->problem.kansa.crack_model = PDMC_CRACKS_PAPER;
-    p->problem.kansa.edge_layer = p->problem.kansa.horizon / 5.0;
-    p->problem.kansa.tip_functions = tip_functions ? PDMC_ON : PDMC_OFF;
+    p->problem.solver.crack_model = PDMC_CRACKS_PAPER;
+    p->problem.solver.edge_layer = p->problem.solver.horizon / 5.0;
+    p->problem.solver.tip_functions = tip_functions ? PDMC_ON : PDMC_OFF;
 }

@@ -9,8 +9,8 @@
 static void make_noisy(plate *p, int bins, double variation)
 {
     plate_make_cracked(p, 0.5, 0.0, 8);
-    p->problem.kansa.horizon = 0.5;
-    p->problem.kansa.shape = 0.1;
+    p->problem.solver.horizon = 0.5;
+    p->problem.solver.shape = 0.1;
     p->problem.energy.horizon = 0.1;
     p->problem.energy.extension = 0.05;
     paper_settings(p, true);
@@ -159,7 +159,7 @@ static void refused_allocations_are_reported(void **state)
     pdmc_paper *paper = NULL;
     pdmc_affine model;
     make_noisy(&p, 3, 0.2);
-    p.problem.kansa.spacing = 1.25;
+    p.problem.solver.spacing = 1.25;
     p.problem.energy.angles = 4;
     p.problem.energy.tip_count = 1;
     CHECK_OK(pdmc_paper_create(&p.problem, 1, &paper));

@@ -104,8 +104,8 @@ static void a_symmetric_plate_has_symmetric_tips(void **state)
     (void)state;
     plate p;
     plate_make_cracked(&p, 0.5, 0.0, 16);
-    p.problem.kansa.horizon = 0.3125;
-    p.problem.kansa.shape = 0.05;
+    p.problem.solver.horizon = 0.3125;
+    p.problem.solver.shape = 0.05;
     paper_settings(&p, true);
     pdmc_paper *paper = solved(&p);
     pdmc_tip tip[2];
@@ -157,8 +157,8 @@ static double error_of_K(int cells, double horizon, bool tip_functions, double e
     pdmc_tip tip;
     double e[2];
     plate_make_cracked(&p, 0.5, 0.0, cells);
-    p.problem.kansa.horizon = horizon;
-    p.problem.kansa.shape = 0.16 * p.problem.kansa.spacing;
+    p.problem.solver.horizon = horizon;
+    p.problem.solver.shape = 0.16 * p.problem.solver.spacing;
     paper_settings(&p, tip_functions);
     pdmc_paper *paper = solved(&p);
     CHECK_OK(pdmc_paper_tip(paper, 1, &tip));
@@ -232,7 +232,7 @@ static void bad_input_is_refused(void **state)
     plate_make_cracked(&p, 0.5, 0.0, 4);
     paper_settings(&p, true);
     CHECK_STATUS(pdmc_paper_create(&p.problem, 0, &paper), PDMC_ERR_ARG);
-    p.problem.kansa.edge_layer = 0.0;
+    p.problem.solver.edge_layer = 0.0;
     CHECK_STATUS(pdmc_paper_create(&p.problem, 1, &paper), PDMC_ERR_ARG);
     paper_settings(&p, true);
     p.loads[0].traction[1] = 2.0;

@@ -41,7 +41,7 @@ static void make_square(plate *p, int cells, double horizon)
 static void make_paper(plate *p, int cells)
 {
     make_square(p, cells, 1.0); // "the horizon that has been used in both examples"
-    p->problem.kansa.shape = 0.16 / cells;
+    p->problem.solver.shape = 0.16 / cells;
     paper_settings(p, true);
 }
 

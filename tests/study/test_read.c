@@ -41,16 +41,16 @@ static void defaults_of_numbers(void **state)
     assert_true(p->sampling.seed == 1);
     assert_int_equal(p->sampling.samples, 1000);
     assert_int_equal(p->sampling.order, 4);
-    assert_int_equal(p->kansa.polynomial_degree, 3);
-    assert_int_equal(p->kansa.crack_orders, 6);
-    assert_int_equal(p->kansa.radial_points, 6);
+    assert_int_equal(p->solver.polynomial_degree, 3);
+    assert_int_equal(p->solver.crack_orders, 6);
+    assert_int_equal(p->solver.radial_points, 6);
     assert_int_equal(p->energy.angles, 72);
     assert_int_equal(p->energy.tip_count, 4);
     for (int i = 0; i < 4; i++) assert_int_equal(p->energy.tips[i], i);
     CHECK_NEAR(p->plate.thickness, 1.0, 0.0);
-    CHECK_NEAR(p->kansa.spacing, 4.0 / 20, 1e-15);       // of the shorter side
-    CHECK_NEAR(p->kansa.shape, 6 * 0.2, 1e-15);          // of the spacing
-    CHECK_NEAR(p->kansa.horizon, 0.02 * 4, 1e-15);       // less than 0.2 of the half cracks, 0.5
+    CHECK_NEAR(p->solver.spacing, 4.0 / 20, 1e-15);       // of the shorter side
+    CHECK_NEAR(p->solver.shape, 6 * 0.2, 1e-15);          // of the spacing
+    CHECK_NEAR(p->solver.horizon, 0.02 * 4, 1e-15);       // less than 0.2 of the half cracks, 0.5
     CHECK_NEAR(p->energy.horizon, 0.08, 1e-15);          // the solver's
     CHECK_NEAR(p->energy.extension, 0.25 * 0.08, 1e-15); // of the energy horizon
     pdmc_study_clear(&study);
@@ -63,10 +63,10 @@ static void the_horizon_follows_the_shortest_crack(void **state)
     CHECK_OK(read_with(LINE_CRACKS,
                        "cracks = ( { from = [-1, 1]; to = [1, 1]; }, { from = [0.0, 0.0]; to = [0.12, 0.16]; } );",
                        &study));
-    CHECK_NEAR(study.problem.kansa.horizon, 0.2 * 0.1, 1e-15); // half of hypot(0.12, 0.16)
+    CHECK_NEAR(study.problem.solver.horizon, 0.2 * 0.1, 1e-15); // half of hypot(0.12, 0.16)
     pdmc_study_clear(&study);
     CHECK_OK(read_with(LINE_CRACKS, "", &study));
-    CHECK_NEAR(study.problem.kansa.horizon, 0.02 * 4, 1e-15);
+    CHECK_NEAR(study.problem.solver.horizon, 0.02 * 4, 1e-15);
     assert_int_equal(study.problem.energy.tip_count, 0);
     pdmc_study_clear(&study);
 }

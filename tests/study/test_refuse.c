@@ -139,8 +139,8 @@ static void defaults_out_of_range(void **state)
                            "solver = { };\n",
                            &study),
                  PDMC_ERR_CONFIG);
-    assert_string_equal(pdmc_last_error(), "study.cfg:4: solver.spacing: the default, min(width, height) / 20, is not "
-                                           "allowed, must be > 0");
+    assert_string_equal(pdmc_last_error(), "study.cfg:4: solver.spacing: the default, min(width, height) / 20, / 100 of "
+                                           "the bond method, is not allowed, must be > 0");
 }
 
 static void wrong_words(void **state)
@@ -159,10 +159,11 @@ static void wrong_words(void **state)
          "study.cfg:3: material.assumption: \"plane\" is not allowed, must be \"plane_stress\" or \"plane_strain\""},
         {LINE_LOADS, "loads = ( { side = \"up\"; traction = [0, 1]; } );",
          "study.cfg:5: loads[0].side: \"up\" is not allowed, must be \"left\", \"right\", \"bottom\" or \"top\""},
-        {LINE_SOLVER, "solver = { method = \"bond\"; };",
-         "study.cfg:7: solver.method: \"bond\" is not available yet, must be \"kansa\""},
+        {LINE_SAMPLING, "sampling = { inverse = \"reduced\"; };",
+         "study.cfg:9: sampling.inverse: \"reduced\" is not available yet, must be \"direct\", \"neumann\" or "
+         "\"krylov\""},
         {LINE_SOLVER, "solver = { method = \"fem\"; };",
-         "study.cfg:7: solver.method: \"fem\" is not allowed, must be \"kansa\""},
+         "study.cfg:7: solver.method: \"fem\" is not allowed, must be \"kansa\" or \"bond\""},
         {LINE_SOLVER, "solver = { crack_model = \"blind\"; };",
          "study.cfg:7: solver.crack_model: \"blind\" is not allowed, must be \"analytic\", \"paper\" or \"visible\""},
         {LINE_CRACKS, line, message},
@@ -194,24 +195,65 @@ static void uncertain_quantities(void **state)
     EXPECT(mistakes);
 }
 
+static void settings_of_another_solver(void **state)
+{
+    (void)state;
+    const mistake mistakes[] = {
+        {LINE_SOLVER, "solver = { method = \"bond\"; crack_model = \"analytic\"; };",
+         "study.cfg:7: solver.crack_model: is no setting of the method \"bond\""},
+        {LINE_SOLVER, "solver = { area = \"full\"; };",
+         "study.cfg:7: solver.area: is no setting of the crack_model \"analytic\""},
+        {LINE_SOLVER, "solver = { crack_model = \"visible\"; shape = 1; };",
+         "study.cfg:7: solver.shape: is no setting of the crack_model \"visible\""},
+        {LINE_SAMPLING, "sampling = { inverse = \"krylov\"; };",
+         "study.cfg:9: sampling.inverse: \"krylov\" needs the symmetric matrix of method = \"bond\", must be "
+         "\"direct\" or \"neumann\""},
+    };
+    EXPECT(mistakes);
+}
+
+static void grids_that_do_not_fit(void **state)
+{
+    (void)state;
+    const mistake mistakes[] = {
+        {LINE_SOLVER, "solver = { method = \"bond\"; spacing = 0.3; };",
+         "study.cfg:7: solver.spacing: 0.3 does not divide the plate's height 4, must be such as 0.30769230769230771"},
+        {LINE_SOLVER, "solver = { method = \"bond\"; spacing = 1e-3; };",
+         "study.cfg:7: solver.spacing: 0.001 gives 24000000 nodes, must be at most 4000000"},
+        {LINE_SOLVER, "solver = { method = \"bond\"; spacing = 0.05; horizon = 0.2; horizon_ratio = 5; };",
+         "study.cfg:7: solver.horizon_ratio: 5 spacings are 0.25, but the horizon is 0.2: give one"},
+        {LINE_SOLVER, "solver = { method = \"bond\"; spacing = 0.05; horizon = 0.04; };",
+         "study.cfg:7: solver.horizon: 0.04 is too small, must be at least 0.05, the spacing"},
+        {LINE_SOLVER, "solver = { method = \"bond\"; spacing = 0.01; horizon = 1.1; };",
+         "study.cfg:7: solver.horizon: 1.1 is too large, must be at most 1, 100 spacings"},
+        {LINE_SOLVER, "solver = { method = \"bond\"; spacing = 0.05; horizon = 2.6; };",
+         "study.cfg:7: solver.horizon: 2.6 is too large, must be at most 2, half of the shorter side"},
+        {LINE_SOLVER, "solver = { method = \"bond\"; spacing = 0.05; load_layer = 0.07; };",
+         "study.cfg:7: solver.load_layer: 0.07 is not a whole number of spacings of 0.05"},
+        {LINE_SOLVER, "solver = { method = \"bond\"; spacing = 0.05; load_layer = 3; };",
+         "study.cfg:7: solver.load_layer: 3 is too thick, must be at most 2, half of the shorter side"},
+    };
+    EXPECT(mistakes);
+}
+
 static void cracks_in_wrong_places(void **state)
 {
     (void)state;
     const mistake mistakes[] = {
         {LINE_CRACKS, "cracks = ( { from = [0.5, 0.5]; to = [0.5, 0.5]; } );",
          "study.cfg:4: cracks[0]: \"crack1\" has zero length"},
+        {LINE_CRACKS, "cracks = ( { from = [-4, 0]; to = [4, 0]; } );",
+         "study.cfg:4: cracks[0]: \"crack1\" has no tip inside the plate, must have at least one"},
         {LINE_CRACKS, "cracks = ( { name = \"edge\"; from = [-3, 0]; to = [0, 0]; } );",
-         "study.cfg:4: cracks[0].from: \"edge\" ends outside the plate or on its edge: edge cracks are not available "
-         "yet, "
-         "a tip must be inside"},
+         "study.cfg:4: cracks[0].from: \"edge\" ends outside the plate or on its edge: that needs method = \"bond\", or "
+         "a tip inside"},
         {LINE_CRACKS, "cracks = ( { from = [0.0, 0.0]; to = [0.0, 2.1]; } );",
-         "study.cfg:4: cracks[0].to: \"crack1\" ends outside the plate or on its edge: edge cracks are not available "
-         "yet, "
-         "a tip must be inside"},
+         "study.cfg:4: cracks[0].to: \"crack1\" ends outside the plate or on its edge: that needs method = \"bond\", or "
+         "a tip inside"},
         {LINE_CRACKS, "cracks = ( { from = [-1, 0]; to = [1, 0]; },\n { from = [0, -1]; to = [0, 1]; } );",
-         "study.cfg:5: cracks[1]: \"crack2\" crosses or touches \"crack1\": not available yet, cracks must be apart"},
+         "study.cfg:5: cracks[1]: \"crack2\" crosses or touches \"crack1\": that needs method = \"bond\", or cracks apart"},
         {LINE_CRACKS, "cracks = ( { from = [-1, 0]; to = [1, 0]; }, { from = [1, 0]; to = [2, 1]; } );",
-         "study.cfg:4: cracks[1]: \"crack2\" crosses or touches \"crack1\": not available yet, cracks must be apart"},
+         "study.cfg:4: cracks[1]: \"crack2\" crosses or touches \"crack1\": that needs method = \"bond\", or cracks apart"},
         {LINE_CRACKS,
          "cracks = ( { name = \"crack2\"; from = [-1, 0]; to = [1, 0]; }, { from = [-1, 1]; to = [1, 1]; } );",
          "study.cfg:4: cracks[1].name: \"crack2\" is the name of an earlier crack too, must be another"},
@@ -290,6 +332,8 @@ int main(void)
         cmocka_unit_test(defaults_out_of_range),
         cmocka_unit_test(wrong_words),
         cmocka_unit_test(uncertain_quantities),
+        cmocka_unit_test(settings_of_another_solver),
+        cmocka_unit_test(grids_that_do_not_fit),
         cmocka_unit_test(cracks_in_wrong_places),
         cmocka_unit_test(sides_loaded_or_held_wrongly),
         cmocka_unit_test(solver_lengths_that_do_not_fit),

@@ -15,8 +15,7 @@ static const char everything[] =
     "loads = ( { side = \"top\"; traction = [0.1, 0.3]; } );\n"
     "supports = ( { side = \"left\"; x = 0; y = 1e-3; }, { side = \"right\"; y = -0.125; } );\n"
     "solver = { method = \"kansa\"; crack_model = \"analytic\"; spacing = 0.30000000000000004; horizon = 0.07;\n"
-    "           shape = 1.7; polynomial_degree = 2; crack_orders = 8; radial_points = 4;\n"
-    "           tip_functions = \"off\"; edge_layer = 0.01; refinement = 5; stencil = \"polyharmonic\"; };\n"
+    "           shape = 1.7; polynomial_degree = 2; crack_orders = 8; radial_points = 4; };\n"
     "random = ( { quantity = \"load\"; distribution = \"lognormal\"; variation = 0.15; },\n"
     "           { quantity = \"micromodulus\"; model = \"radial_noise\"; bins = 17; variation = 0.05; } );\n"
     "sampling = { samples = 12345; inverse = \"direct\"; order = 2; };\n"
@@ -78,13 +77,30 @@ static void every_setting_survives(void **state)
     pdmc_study study;
     CHECK_OK(read_text(everything, &study));
     assert_string_equal(study.problem.title, "a \"quoted\" back\\nslash, \xc2\xb5");
-    CHECK_NEAR(study.problem.kansa.spacing, 0.1 + 0.2, 0.0);
+    CHECK_NEAR(study.problem.solver.spacing, 0.1 + 0.2, 0.0);
     CHECK_NEAR(study.problem.cracks[0].to[1], 1.0 / 3.0, 0.0);
     assert_int_equal(study.problem.energy.measure, PDMC_MEASURE_BOND);
     assert_int_equal(study.problem.sampling.inverse, PDMC_INVERSE_DIRECT);
     assert_non_null(strstr(study.resolved, "seed = 9223372036854775807L;\n")); // any libconfig reads it
     expect_round_trip(&study);
     pdmc_study_clear(&study);
+}
+
+static void settings_of_every_solver_survive(void **state)
+{
+    (void)state;
+    const char *const solvers[] = {
+        "solver = { crack_model = \"paper\"; tip_functions = \"off\"; edge_layer = 0.01; };",
+        "solver = { crack_model = \"visible\"; refinement = 5; stencil = \"polyharmonic\"; };",
+        "solver = { method = \"bond\"; spacing = 0.05; horizon_ratio = 4; area = \"full\";\n"
+        "           surface_correction = \"off\"; micromodulus = \"at_nodes\"; load_layer = 0.1; };",
+    };
+    for (size_t i = 0; i < sizeof solvers / sizeof solvers[0]; i++) {
+        pdmc_study study;
+        CHECK_OK(read_with(LINE_SOLVER, solvers[i], &study));
+        expect_round_trip(&study);
+        pdmc_study_clear(&study);
+    }
 }
 
 static void defaults_survive(void **state)
@@ -231,6 +247,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_setting_survives),
+        cmocka_unit_test(settings_of_every_solver_survive),
         cmocka_unit_test(defaults_survive),
         cmocka_unit_test(shipped_studies_survive),
         cmocka_unit_test(a_dynamic_study_survives),

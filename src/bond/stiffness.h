@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bond/grid.h"
+
+/// What a grid of bonds is made of.
+typedef struct {
+    pdmc_bond_grid grid;
+    pdmc_bond_horizon horizon;
+    pdmc_bond_families families;
+    int held_unknowns; // of rigid motions that nothing holds: fixed at 0 and taken out of the solution afterwards
+    int held[3];
+} pdmc_bond_plate;
+
+/// Y = K X for PDMC_BLOCK columns, K = h^2 L with the sign that makes it positive: force / thickness of the free
+/// unknowns, and 0 of the held ones, whose displacement in X counts. The columns are independent and each sum has a
+/// fixed order.
+/// @param[in]  factor  [PDMC_BLOCK, shells] of each shell's mean stiffness
+/// @param[in]  x       [PDMC_BLOCK, unknowns]
+/// @param[out] y       [PDMC_BLOCK, unknowns]
+/// @return PDMC_OK or PDMC_ERR_NOMEM
+PDMC_NODISCARD pdmc_status pdmc_bond_multiply(const pdmc_bond_plate *plate, const double factor[], const double x[],
+                                              double y[]);
+
+/// The lower triangle of K by columns, for factors of the shells; held unknowns have a 1 on the diagonal and nothing
+/// else, and what they do to the free ones is left to pdmc_bond_multiply().
+typedef struct {
+    int unknowns;
+    int64_t *start; // [unknowns + 1]
+    int64_t *row;   // [start[unknowns]] ascending in each column
+    double *value;
+} pdmc_bond_matrix;
+
+/// @param[in]  factor  [shells]
+/// @param[out] out     free with pdmc_bond_matrix_clear(); zero on failure
+PDMC_NODISCARD pdmc_status pdmc_bond_matrix_create(const pdmc_bond_plate *plate, const double factor[],
+                                                   pdmc_bond_matrix *out);
+/// New values on the same pattern.
+void pdmc_bond_matrix_fill(const pdmc_bond_plate *plate, const double factor[], pdmc_bond_matrix *matrix);
+void pdmc_bond_matrix_clear(pdmc_bond_matrix *matrix);
