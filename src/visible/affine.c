@@ -102,7 +102,7 @@ done:
 
 static pdmc_status create_model(const pdmc_visible *visible, pdmc_affine *model)
 {
-    static const pdmc_affine_verbs verbs = {perturb, solve, destroy_model};
+    static const pdmc_affine_verbs verbs = {.perturb = perturb, .solve = solve, .destroy = destroy_model};
     pdmc_status status = PDMC_OK;
     const pdmc_uncertainty *noise = pdmc_problem_uncertainty(visible->problem, PDMC_QUANTITY_MICROMODULUS);
     double size[PDMC_VISIBLE_DEGREE + 1];

@@ -27,7 +27,7 @@ typedef struct {
 
 static double spacing_at(const maker *m, const double x[2])
 {
-    const pdmc_kansa_options *options = &m->problem->kansa;
+    const pdmc_solver_options *options = &m->problem->solver;
     const double flat = fmax(0.5 * options->horizon, 3.0 * m->finest);
     const double beyond = fmax(pdmc_cuts_distance(m->cuts, x) - flat, 0.0);
     return m->cuts->count > 0 ? fmin(options->spacing, m->finest + growth * beyond) : options->spacing;
@@ -148,7 +148,7 @@ static pdmc_status fill_inside(maker *m)
 {
     const int fixed = m->nodes->count;
     pdmc_status status = PDMC_OK;
-    for (double h = m->finest; h < 2.0 * m->problem->kansa.spacing && status == PDMC_OK; h *= 2.0)
+    for (double h = m->finest; h < 2.0 * m->problem->solver.spacing && status == PDMC_OK; h *= 2.0)
         status = fill_level(m, fixed, h);
     return status;
 }
@@ -227,7 +227,7 @@ pdmc_status pdmc_visible_nodes_create(const pdmc_problem *problem, const pdmc_cu
 {
     enum { MOST_NODES = 50000 };
     pdmc_status status = PDMC_OK;
-    const pdmc_kansa_options *options = &problem->kansa;
+    const pdmc_solver_options *options = &problem->solver;
     maker m = {problem, cuts, {0.5 * problem->plate.width, 0.5 * problem->plate.height}, 0.0, MOST_NODES, nodes};
     m.finest = cuts->count > 0 ? fmin(options->horizon / options->refinement, options->spacing) : options->spacing;
     *nodes = (pdmc_visible_nodes){.finest = m.finest};

@@ -20,7 +20,7 @@ pdmc_status pdmc_disc_sum_create(const pdmc_visible *visible, int planes, bool f
     PDMC_NEW(sum->sum, (size_t)nodes * 3 * (size_t)planes);
     PDMC_NEW(sum->diagonal, 3 * planes);
     PDMC_TRY(pdmc_disc_rule_create(&visible->cuts, visible->data.outside ? &problem->plate : NULL,
-                                   problem->kansa.horizon, fine || planes > 1 ? FINE_RADIAL : RADIAL,
+                                   problem->solver.horizon, fine || planes > 1 ? FINE_RADIAL : RADIAL,
                                    fine ? FINE_ANGULAR : ANGULAR, &sum->rule));
 done:
     if (status != PDMC_OK) pdmc_disc_sum_clear(sum);

@@ -15,7 +15,7 @@ pdmc_solver_report pdmc_visible_report(const pdmc_visible *visible)
         .rank = size,
         .condition = 1.0 / visible->factor.reciprocal_condition,
         .residual = visible->residual,
-        .horizon = visible->problem->kansa.horizon,
+        .horizon = visible->problem->solver.horizon,
         .spacing = visible->nodes.finest,
     };
 }

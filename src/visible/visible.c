@@ -14,10 +14,10 @@ static pdmc_status prepare(pdmc_visible *visible)
     PDMC_TRY(pdmc_cuts_create(problem, &visible->cuts));
     PDMC_TRY(pdmc_visible_nodes_create(problem, &visible->cuts, !visible->data.outside, &visible->nodes));
     visible->field =
-        (pdmc_stencil_field){&visible->cuts, &visible->nodes, problem->kansa.stencil == PDMC_STENCIL_POLYHARMONIC};
+        (pdmc_stencil_field){&visible->cuts, &visible->nodes, problem->solver.stencil == PDMC_STENCIL_POLYHARMONIC};
     const bool is_random = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_MICROMODULUS) != NULL;
     visible->terms = is_random ? PDMC_VISIBLE_DEGREE + 1 : 0;
-    visible->micromodulus = pdmc_micromodulus(&problem->material, problem->kansa.horizon);
+    visible->micromodulus = pdmc_micromodulus(&problem->material, problem->solver.horizon);
     visible->unknowns = 2 * visible->nodes.count;
     if (!visible->data.outside) PDMC_TRY(pdmc_problem_free_motions(problem, &visible->motions, visible->motion));
     PDMC_NEW(visible->stencils, visible->nodes.count);
@@ -90,7 +90,7 @@ done:
 pdmc_status pdmc_visible_create(const pdmc_problem *problem, const pdmc_visible_data *data, int threads,
                                 pdmc_visible **visible)
 {
-    const int refinement = problem->kansa.refinement;
+    const int refinement = problem->solver.refinement;
     PDMC_REQUIRE(threads >= 1, "%d threads: at least one is needed", threads);
     PDMC_REQUIRE(2 <= refinement && refinement <= 16, "refinement %d is not in [2, 16]", refinement);
     pdmc_status status = PDMC_OK;

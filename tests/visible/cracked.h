@@ -10,8 +10,8 @@
 static inline void cracked_make(plate *p, double size, double horizon, int refinement)
 {
     plate_make(p, size, 20, horizon);
-    p->problem.kansa.crack_model = PDMC_CRACKS_VISIBLE;
-    p->problem.kansa.refinement = refinement;
+    p->problem.solver.crack_model = PDMC_CRACKS_VISIBLE;
+    p->problem.solver.refinement = refinement;
 }
 
 /// Uniform stress s_x, s_y, tau on all sides.

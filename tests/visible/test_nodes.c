@@ -114,8 +114,8 @@ static void every_refused_allocation_is_reported(void **state)
     pdmc_cuts cuts;
     pdmc_visible_nodes nodes;
     make_plate(&p, &cuts);
-    p.problem.kansa.spacing = 1.0;
-    p.problem.kansa.refinement = 2;
+    p.problem.solver.spacing = 1.0;
+    p.problem.solver.refinement = 2;
     CHECK_FAILS_CLEANLY(pdmc_visible_nodes_create(&p.problem, &cuts, true, &nodes), pdmc_visible_nodes_clear(&nodes));
     pdmc_cuts_clear(&cuts);
 }

@@ -27,7 +27,7 @@ static void uniform_stress_gives_uniform_strain(void **state)
         pdmc_visible *visible = NULL;
         cracked_make(&p, 5.0, 0.15, 6);
         p.problem.material.assumption = i / 3 ? PDMC_PLANE_STRAIN : PDMC_PLANE_STRESS;
-        p.problem.kansa.stencil = i / 3 ? PDMC_STENCIL_POLYHARMONIC : PDMC_STENCIL_IMQ;
+        p.problem.solver.stencil = i / 3 ? PDMC_STENCIL_POLYHARMONIC : PDMC_STENCIL_IMQ;
         p.problem.material.youngs_modulus = E;
         cracked_load(&p, s);
         CHECK_OK(pdmc_visible_create(&p.problem, NULL, 2, &visible));
@@ -99,7 +99,7 @@ static void bad_requests_are_refused(void **state)
     plate_load(&p, PDMC_SIDE_TOP, 0.0, 1.0);
     CHECK_STATUS(pdmc_visible_create(&p.problem, NULL, 1, &visible), PDMC_ERR_CONFIG);
     CHECK_STATUS(pdmc_visible_create(&p.problem, NULL, 0, &visible), PDMC_ERR_ARG);
-    p.problem.kansa.refinement = 1;
+    p.problem.solver.refinement = 1;
     CHECK_STATUS(pdmc_visible_create(&p.problem, NULL, 1, &visible), PDMC_ERR_ARG);
     assert_null(visible);
 }
