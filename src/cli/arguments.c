@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <getopt.h>
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,6 +18,7 @@ const char usage[] =
     "  pdmc show [--json] FILE   print results, for people or for programs\n"
     "  pdmc export FILE DIR      write results as CSV\n"
     "  pdmc plot FILE DIR        draw results as PNG and SVG\n"
+    "  pdmc compare A B          lay two result files side by side: means, distributions, K, time, memory\n"
     "  pdmc describe             list every setting of a study file\n"
     "\n"
     "  -o, --output FILE         result file (default: the study's name, .h5, in the working folder)\n"
@@ -26,6 +28,13 @@ const char usage[] =
     "  -n, --samples N           instead of the study's\n"
     "  -f, --force               overwrite the result file\n"
     "  -q, --quiet               print nothing but errors\n"
+    "      --json                of show and compare: one JSON object instead of a table\n"
+    "      --tip NAME            of compare: the tip whose energies are compared; may be given again (default: the\n"
+    "                            first that both have)\n"
+    "      --angle DEG[,DEG...]  of compare: the angles, in degrees (default: straight ahead, and where the mean is\n"
+    "                            largest)\n"
+    "      --measure NAME        of compare: bond or griffith (default: the one that decides in A)\n"
+    "      --plot DIR            of compare: also draw the densities of both into a folder, as PNG and SVG\n"
     "  -h, --help                print this\n"
     "      --version             print the version\n"
     "\n"
@@ -38,7 +47,9 @@ static const struct option long_options[] = {
     {"output", required_argument, NULL, 'o'}, {"threads", required_argument, NULL, 't'},
     {"seed", required_argument, NULL, 's'},   {"samples", required_argument, NULL, 'n'},
     {"force", no_argument, NULL, 'f'},        {"quiet", no_argument, NULL, 'q'},
-    {"json", no_argument, NULL, 'j'},         {"help", no_argument, NULL, 'h'},
+    {"json", no_argument, NULL, 'j'},         {"tip", required_argument, NULL, 'T'},
+    {"angle", required_argument, NULL, 'A'},  {"measure", required_argument, NULL, 'M'},
+    {"plot", required_argument, NULL, 'P'},   {"help", no_argument, NULL, 'h'},
     {"version", no_argument, NULL, 'V'},      {NULL, 0, NULL, 0},
 };
 
@@ -56,6 +67,7 @@ static const grammar grammars[] = {
     {"show", COMMAND_SHOW, 1, "the name of a result file", "j"},
     {"export", COMMAND_EXPORT, 2, "a result file and a folder", "q"},
     {"plot", COMMAND_PLOT, 2, "a result file and a folder", "q"},
+    {"compare", COMMAND_COMPARE, 2, "two result files", "jTAMPq"},
     {"describe", COMMAND_DESCRIBE, 0, "", ""},
 };
 
@@ -76,6 +88,45 @@ static bool read_output(const char *value, arguments *out)
     return *value != '\0';
 }
 
+static bool read_tip(const char *value, arguments *out)
+{
+    if (out->tip_count == PDMC_ASKED) {
+        fprintf(stderr, "pdmc: --tip: more than %d tips\n", PDMC_ASKED);
+        return false;
+    }
+    out->tips[out->tip_count++] = value;
+    return true;
+}
+
+static bool read_angles(const char *value, arguments *out)
+{
+    for (const char *at = value;; at++) {
+        char *end;
+        const double degrees = strtod(at, &end);
+        if (end == at || (*end != '\0' && *end != ',') || !(fabs(degrees) <= 360.0)) {
+            fprintf(stderr, "pdmc: --angle: \"%s\" is not an angle from -360 to 360 degrees, or several with commas\n",
+                    value);
+            return false;
+        }
+        if (out->angle_count == PDMC_ASKED) {
+            fprintf(stderr, "pdmc: --angle: more than %d angles\n", PDMC_ASKED);
+            return false;
+        }
+        out->angles[out->angle_count++] = degrees;
+        at = end;
+        if (*at == '\0') return true;
+    }
+}
+
+static bool read_measure(const char *value, arguments *out)
+{
+    out->has_measure = true;
+    out->measure = strcmp(value, "bond") == 0 ? PDMC_MEASURE_BOND : PDMC_MEASURE_GRIFFITH;
+    if (out->measure == PDMC_MEASURE_BOND || strcmp(value, "griffith") == 0) return true;
+    fprintf(stderr, "pdmc: --measure: \"%s\" is neither bond nor griffith\n", value);
+    return false;
+}
+
 static bool read_option(int letter, const char *value, arguments *out)
 {
     long long number = 0;
@@ -84,6 +135,10 @@ static bool read_option(int letter, const char *value, arguments *out)
     case 'f': out->force = true; return true;
     case 'q': out->quiet = true; return true;
     case 'j': out->json = true; return true;
+    case 'T': return read_tip(value, out);
+    case 'A': return read_angles(value, out);
+    case 'M': return read_measure(value, out);
+    case 'P': out->folder = value; return true;
     case 'h': out->command = COMMAND_HELP; return true;
     case 'V': out->command = COMMAND_VERSION; return true;
     case 't':
@@ -144,7 +199,7 @@ static bool read_words(int count, char *word[], const char *letters, arguments *
     if (!check_count(g, count, word) || !check_options(g, letters)) return false;
     out->command = g->command;
     if (count > 0) out->input = word[0];
-    if (count > 1) out->folder = word[1];
+    if (count > 1) *(g->command == COMMAND_COMPARE ? &out->other : &out->folder) = word[1];
     return true;
 }
 

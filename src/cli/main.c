@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments.h"
+#include "cli/compare_command.h"
 #include "cli/exit_code.h"
 #include "cli/run_command.h"
 #include "pdmc/study.h"
@@ -48,6 +49,7 @@ static int dispatch(const arguments *given)
     case COMMAND_SHOW:
     case COMMAND_EXPORT:
     case COMMAND_PLOT: return view_command(given);
+    case COMMAND_COMPARE: return compare_command(given);
     case COMMAND_DESCRIBE: return describe_command();
     case COMMAND_HELP: fputs(usage, stdout); return EX_OK;
     case COMMAND_VERSION: printf("pdmc %s %s\n", pdmc_version(), pdmc_git_sha1()); return EX_OK;

@@ -20,8 +20,7 @@ static double finite_or(double x, double otherwise)
     return isfinite(x) ? x : otherwise;
 }
 
-/// A step from edge to edge: two points a bin, and down to zero at both ends.
-static void put_steps(const pdmc_results *r, pdmc_measure measure, size_t at, int block, FILE *script)
+void pdmc_draw_steps(const pdmc_results *r, pdmc_measure measure, size_t at, int block, FILE *script)
 {
     const size_t bins = (size_t)r->histogram_bins;
     const double *edges = &r->statistics[measure].histogram_edges[at * (bins + 1)];
@@ -62,7 +61,7 @@ void pdmc_draw_density(const pdmc_results *r, int tip, pdmc_measure measure, con
         const int k = pdmc_nearest_angle(r, shown_direction(&r->tips[tip], i));
         at[i] = pdmc_place(r, tip, k);
         degrees[i] = r->angles[k] * pdmc_degrees;
-        put_steps(r, measure, at[i], i, script);
+        pdmc_draw_steps(r, measure, at[i], i, script);
     }
     const bool has_line = r->fracture_energy < put_ranges(r, measure, at, script);
     if (has_line) pdmc_figure_mark(figure, r->fracture_energy);

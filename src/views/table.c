@@ -53,8 +53,7 @@ static void print_tip(const pdmc_results *r, const pdmc_tip *tip, FILE *stream)
             pdmc_brief(n[0], tip->stress_intensity[0]), pdmc_brief(n[1], tip->stress_intensity_error[0]),
             pdmc_brief(n[2], tip->stress_intensity[1]), pdmc_brief(n[3], tip->stress_intensity_error[1]),
             pdmc_one_line(text[0], unit));
-    if (isnan(tip->t_stress))
-        fprintf(stream, "               T is not known to this crack model\n");
+    if (isnan(tip->t_stress)) fprintf(stream, "               T is not known to this crack model\n");
     else
         fprintf(stream, "               T = %s +- %s %.20s\n", pdmc_brief(n[4], tip->t_stress),
                 pdmc_brief(n[5], tip->t_stress_error), pdmc_one_line(text[0], stress));
