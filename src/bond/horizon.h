@@ -4,10 +4,10 @@
 #include "base/base_impl.h"
 #include "pdmc/problem.h"
 
-/// The bond of a node to one of its neighbours on an unbounded grid; that of the opposite neighbour is its mirror image.
+/// The bond of a node to a neighbour on an unbounded grid; that of the opposite neighbour is its mirror image.
 typedef struct {
     int column, row;     // of the neighbour, counted from the node
-    double direction[2]; // e, of the node, or of the centroid of the cell's part inside the horizon
+    double direction[2]; // e, to the node, or to the centroid of the cell's part inside the horizon
     double length;       // |xi| of the same, length
     double area;         // of the cell as it counts, length^2
     double stiffness;    // c_0 area / |xi|: b = stiffness e e . (u' - u), force / length^4
@@ -16,10 +16,14 @@ typedef struct {
 
 /// All bonds of a node inside the horizon. The force density of a node is
 ///     L u (x) = sum_k c_k area_k e_k e_k . (u(x_k) - u(x)) / |xi_k|,
-/// the midpoint rule of Silling & Askari 2005, eq. 36, with the areas of pdmc_bond_area, and c_k the micromodulus of the
-/// shell. In a sample the stiffness of a shell is (1 + sum_bins eta_bin share[bin][shell]) times its mean, eta the
-/// relative deviations of c(r) in equal bins of [0, horizon]: the share of the cell's area inside each bin, or 1 in the
-/// bin of the node.
+/// the midpoint rule of Silling & Askari 2005, eq. 36, with the areas of pdmc_bond_area, and c_k the micromodulus of
+/// the shell. Cells count in full, where the node is inside; in part, min(1, 1/2 + (delta - |xi|) / h) of them, those
+/// whose node is outside included (Yu 2011, eq. 2.16, but there nodes end at |xi| = delta, and so every horizon is too
+/// small); or by the exact area inside.
+/// In a sample the stiffness of a shell is (1 + sum_bins eta_bin share[bin][shell]) times its mean, eta the relative
+/// deviations of c(r) in equal bins of [0, horizon]: the share of each bin in the part of the cell inside the horizon,
+/// or 1 in the bin of the node. Of a cell that counts in full, the part beyond the horizon is in the last bin, as is a
+/// node beyond it.
 typedef struct {
     int count;
     pdmc_bond_neighbour *neighbour; // [count] by row, then column; count - 1 - k is opposite to k
@@ -31,7 +35,7 @@ typedef struct {
 
 /// @param[in]  bins  >= 1
 /// @param[out] out   free with pdmc_bond_horizon_clear(); zero on failure
-/// @return PDMC_OK or PDMC_ERR_NOMEM
+/// @return PDMC_OK, PDMC_ERR_ARG for no bins or more than 100 spacings a horizon, or PDMC_ERR_NOMEM
 PDMC_NODISCARD pdmc_status pdmc_bond_horizon_create(const pdmc_problem *problem, int bins, pdmc_bond_horizon *out);
 
 /// A zeroed horizon is allowed.
