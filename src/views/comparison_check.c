@@ -2,8 +2,8 @@
 
 /// Whether two results can be compared, and what one should know who compares them.
 
-#include "base/base_impl.h"
 #include "views/comparison_check.h"
+#include "base/base_impl.h"
 #include "views/table.h"
 
 #include <string.h>

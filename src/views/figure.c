@@ -57,13 +57,22 @@ static void put_output(FILE *script, const pdmc_whole_file *file)
     fputs("'\n", script);
 }
 
-static const char *const png_terminal =
-    "set terminal pngcairo enhanced color rounded size 1600,1100 font 'Sans,22' linewidth 2.2 pointscale 2.2 "
-    "background 'white'\n";
+static void put_png_terminal(FILE *script, int height)
+{
+    fprintf(script,
+            "set terminal pngcairo enhanced color rounded size 1600,%d font 'Sans,22' linewidth 2.2 pointscale 2.2 "
+            "background 'white'\n",
+            height);
+}
 
 /// Three quarters of the PNG, since a point of a font is a pixel here and 4/3 of one there.
-static const char *const svg_terminal =
-    "set terminal svg enhanced rounded size 1200,825 dynamic font 'sans-serif,22' linewidth 1.7 background 'white'\n";
+static void put_svg_terminal(FILE *script, int height)
+{
+    fprintf(script,
+            "set terminal svg enhanced rounded size 1200,%d dynamic font 'sans-serif,22' linewidth 1.7 "
+            "background 'white'\n",
+            3 * height / 4);
+}
 
 static const char *const settings = "set encoding utf8\n"
                                     "set minussign\n"
@@ -97,7 +106,7 @@ done:
 pdmc_status pdmc_figure_open(const char *folder, const char *stem, pdmc_figure *figure)
 {
     pdmc_status status = PDMC_OK;
-    *figure = (pdmc_figure){0};
+    *figure = (pdmc_figure){.height = 1100};
     PDMC_TRY(open_file(folder, stem, "png", &figure->png));
     PDMC_TRY(open_file(folder, stem, "svg", &figure->svg));
     figure->script = open_memstream(&figure->drawing, &figure->drawing_size);
@@ -111,12 +120,12 @@ done:
 static pdmc_status write_script(pdmc_figure *figure, FILE *script)
 {
     const struct {
-        const char *terminal;
+        void (*put_terminal)(FILE *script, int height);
         const pdmc_whole_file *file;
-    } passes[] = {{png_terminal, &figure->png}, {svg_terminal, &figure->svg}};
+    } passes[] = {{put_png_terminal, &figure->png}, {put_svg_terminal, &figure->svg}};
     if (fflush(figure->script) != 0 || ferror(figure->script)) return pdmc_raise_errno("the script of gnuplot", errno);
     for (size_t i = 0; i < sizeof passes / sizeof passes[0]; i++) {
-        fputs(passes[i].terminal, script);
+        passes[i].put_terminal(script, figure->height);
         put_output(script, passes[i].file);
         fputs(settings, script);
         fwrite(figure->drawing, 1, figure->drawing_size, script);

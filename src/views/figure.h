@@ -11,6 +11,7 @@
 
 typedef struct {
     FILE *script; // into which is drawn
+    int height;   // of the PNG, which is 1600 pixels wide; a drawing may change it
     char *drawing;
     size_t drawing_size;
     pdmc_whole_file png, svg;

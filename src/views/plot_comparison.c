@@ -7,6 +7,7 @@
 #include <string.h>
 
 static const char *const colours[PDMC_COMPARED] = {PDMC_BLUE, PDMC_VERMILION};
+static const char *const dashes[PDMC_COMPARED] = {"1", "(12, 12)"}; // the first is seen below an equal second
 
 /// What a file is called in the key: without its folder, unless that is all that tells the two apart.
 static const char *short_label(const pdmc_comparison *c, int which)
@@ -47,13 +48,13 @@ static void put_distances(const pdmc_comparison *c, const pdmc_compared_angle *a
     fprintf(figure->script, "unset label\nset label 'φ = %.4g°' at graph 0.98, 0.93 right font ',24'\n",
             angle->angle * pdmc_degrees);
     if (isnan(d->value)) return;
-    fprintf(figure->script, "set label 'D = %.3g [%.3g, %.3g]' at graph 0.98, 0.83 right\n", d->value, d->lower,
-            d->upper);
+    fprintf(figure->script, "set label 'D = %.3g [%.3g, %.3g]' at graph 0.98, 0.93 right offset character 0, -1.4\n",
+            d->value, d->lower, d->upper);
     pdmc_results_unit(c->results[0], PDMC_UNIT_ENERGY, sizeof unit, unit);
     snprintf(text, sizeof text, "W = %.3g [%.3g, %.3g] %s", w->value, w->lower, w->upper, unit);
     fputs("set label ", figure->script);
     pdmc_figure_text(figure, text);
-    fputs(" at graph 0.98, 0.73 right\n", figure->script);
+    fputs(" at graph 0.98, 0.93 right offset character 0, -2.7\n", figure->script);
 }
 
 static void put_labels(const pdmc_comparison *c, const pdmc_compared_tip *tip, const pdmc_figure *figure)
@@ -68,21 +69,29 @@ static void put_labels(const pdmc_comparison *c, const pdmc_compared_tip *tip, c
                       "");
 }
 
-/// G_c of both, or once where it is the same; what is beyond the energies is not shown.
+/// G_c of both, or once where it is the same; one that is beyond the energies is not shown.
 static void put_fracture_energies(const pdmc_comparison *c, double right, const pdmc_figure *figure)
 {
-    const double first = c->results[0]->fracture_energy;
+    const double first = c->results[0]->fracture_energy, second = c->results[1]->fracture_energy;
     fputs("unset arrow\n", figure->script);
-    for (int i = 0; i < PDMC_COMPARED; i++) {
-        const double g = c->results[i]->fracture_energy;
-        if (g < right && (i == 0 || g != first)) pdmc_figure_mark(figure, g);
-    }
+    if (first < right) pdmc_figure_mark(figure, first);
+    if (second < right && second != first) pdmc_figure_mark(figure, second);
+}
+
+static void put_fracture_key(const pdmc_comparison *c, double right, FILE *script)
+{
+    const double first = c->results[0]->fracture_energy, second = c->results[1]->fracture_energy;
+    if (!(fmin(first, second) < right)) return;
+    fputs(", NaN with lines dashtype 2 linewidth 0.9 linecolor " PDMC_GREY " title 'G_c\u200b = ", script);
+    if (first < right) fprintf(script, "%.4g", first);
+    if (second < right && second != first) fprintf(script, "%s%.4g", first < right ? " and " : "", second);
+    fputc('\'', script);
 }
 
 static void put_panel(const pdmc_comparison *c, const pdmc_compared_angle *angle, const pdmc_figure *figure)
 {
     FILE *script = figure->script;
-    const double right = put_ranges(c, angle, script), fracture_energy = c->results[0]->fracture_energy;
+    const double right = put_ranges(c, angle, script);
     for (int i = 0; i < PDMC_COMPARED; i++) pdmc_draw_steps(c->results[i], c->measure, angle->place[i], i, script);
     put_fracture_energies(c, right, figure);
     put_distances(c, angle, figure);
@@ -90,25 +99,25 @@ static void put_panel(const pdmc_comparison *c, const pdmc_compared_angle *angle
     for (int i = 0; i < PDMC_COMPARED; i++)
         fprintf(script, "$density%d using 1:3:4 with filledcurves linecolor %s notitle, ", i, colours[i]);
     for (int i = 0; i < PDMC_COMPARED; i++) {
-        fprintf(script, "$density%d using 1:2 with lines linecolor %s linewidth 1.2 title ", i, colours[i]);
+        fprintf(script, "$density%d using 1:2 with lines linecolor %s dashtype %s linewidth 1.2 title ", i, colours[i],
+                dashes[i]);
         pdmc_figure_text(figure, short_label(c, i));
         fputs(", ", script);
     }
     fprintf(script, "NaN with filledcurves linecolor " PDMC_GREY " title '%g %% confidence'",
             100.0 * c->results[0]->confidence);
-    if (fracture_energy < right)
-        fprintf(script, ", NaN with lines dashtype 2 linewidth 0.9 linecolor " PDMC_GREY " title 'G_c\u200b = %.4g'",
-                fracture_energy);
+    put_fracture_key(c, right, script);
     fputc('\n', script);
 }
 
-static void draw(const pdmc_comparison *c, const pdmc_compared_tip *tip, const pdmc_figure *figure)
+/// A panel an angle, one below the other.
+static void draw(const pdmc_comparison *c, const pdmc_compared_tip *tip, pdmc_figure *figure)
 {
-    const int n = tip->angle_count, columns = n <= 2 ? 1 : n <= 4 ? 2 : 3;
+    if (tip->angle_count > 2) figure->height = figure->height / 2 * tip->angle_count;
     put_labels(c, tip, figure);
-    fprintf(figure->script, "set key outside top center horizontal maxcols %d\nset multiplot layout %d,%d\n",
-            columns == 1 ? 4 : 2, (n + columns - 1) / columns, columns);
-    for (int k = 0; k < n; k++) put_panel(c, &tip->angles[k], figure);
+    fprintf(figure->script, "set key outside top center horizontal maxcols 4\nset multiplot layout %d, 1\n",
+            tip->angle_count);
+    for (int k = 0; k < tip->angle_count; k++) put_panel(c, &tip->angles[k], figure);
     fputs("unset multiplot\n", figure->script);
 }
 

@@ -83,12 +83,34 @@ static void print_tip(const pdmc_comparison *c, const pdmc_compared_tip *tip, FI
     print_row(stream, "most likely", direction[0], direction[1]);
 }
 
+/// A number near 1, to two digits of the width of its interval, so that it is not "1 [1, 1]".
+static void put_near_one(cell text, const pdmc_estimate *e)
+{
+    const double width = e->upper - e->lower;
+    if (!isfinite(width) || fabs(e->value) > 1e3) {
+        put_estimate(text, e);
+        return;
+    }
+    const int digits = width > 0.0 ? (int)fmin(fmax(1.0 - floor(log10(width)), 2.0), 15.0) : 2;
+    snprintf(text, sizeof(cell), "%.*f [%.*f, %.*f]", digits, e->value, digits, e->lower, digits, e->upper);
+}
+
+/// A probability that only a limit is known of where it is small: of pairs that of 999 resamples, else the asymptotic
+/// distribution's.
+static void put_chance(cell text, double p, bool paired)
+{
+    const double least = paired ? 1e-3 : 1e-6;
+    char n[PDMC_BRIEF_SIZE];
+    if (p <= least) snprintf(text, sizeof(cell), "p <= %g", least);
+    else snprintf(text, sizeof(cell), "p = %s", pdmc_brief(n, p));
+}
+
 static void print_pairs(const pdmc_compared_angle *angle, FILE *stream)
 {
     const pdmc_pairs *p = &angle->pairs;
     char n[4][PDMC_BRIEF_SIZE];
     cell text;
-    put_estimate(text, &p->correlation);
+    put_near_one(text, &p->correlation);
     fprintf(stream, "  %-19s %s\n", "pairs, correlation", text);
     fprintf(stream, "  %-19s %s %% on average [%s, %s]", "pairs, B - A", pdmc_brief(n[0], 100.0 * p->difference.value),
             pdmc_brief(n[1], 100.0 * p->difference.lower), pdmc_brief(n[2], 100.0 * p->difference.upper));
@@ -101,17 +123,18 @@ static void print_pairs(const pdmc_compared_angle *angle, FILE *stream)
 static void print_distances(const pdmc_comparison *c, const pdmc_compared_angle *angle, double mean, FILE *stream)
 {
     const pdmc_distances *d = &angle->distances;
-    char n[2][PDMC_BRIEF_SIZE];
-    cell text;
+    char n[PDMC_BRIEF_SIZE];
+    cell text, chance;
     put_estimate(text, &angle->difference);
     fprintf(stream, "  %-19s %s\n", "means, B - A", text);
-    put_estimate(text, &angle->ratio);
+    put_near_one(text, &angle->ratio);
     fprintf(stream, "  %-19s %s\n", "means, B / A", text);
     put_estimate(text, &d->kolmogorov_smirnov);
-    fprintf(stream, "  %-19s %s, p = %s\n", "Kolmogorov-Smirnov", text, pdmc_brief(n[0], d->p_value));
+    put_chance(chance, d->p_value, c->paired);
+    fprintf(stream, "  %-19s %s, %s\n", "Kolmogorov-Smirnov", text, chance);
     put_estimate(text, &d->wasserstein);
     fprintf(stream, "  %-19s %s, %s %% of A's mean\n", "Wasserstein", text,
-            pdmc_brief(n[1], 100.0 * d->wasserstein.value / mean));
+            pdmc_brief(n, 100.0 * d->wasserstein.value / mean));
     if (c->paired) print_pairs(angle, stream);
 }
 
