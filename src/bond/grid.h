@@ -5,7 +5,8 @@
 
 /// A regular grid of square cells with a node at the middle of each. It fills the plate and, beyond every side with
 /// prescribed displacements, a layer of the horizon's thickness in which they are prescribed (Macek & Silling 2007);
-/// beyond two such sides that meet, their corner as well. Unknown 2 k is u, 2 k + 1 is v of node k.
+/// beyond two such sides that meet, their corner as well, where all is held that either side holds, at the mean of what
+/// both hold. Unknown 2 k is u, 2 k + 1 is v of node k.
 typedef struct {
     int columns, rows, nodes; // node = row * columns + column
     double spacing;           // h, length
@@ -32,16 +33,16 @@ bool pdmc_bond_is_cut(const pdmc_crack *crack, double scale, const double a[2], 
 /// The bonds of every node that no crack cuts. Node k has partners start[k] .. start[k + 1] - 1, in the order of the
 /// horizon's neighbours.
 typedef struct {
-    size_t *start;         // [nodes + 1]
-    int *partner;          // [start[nodes]] nodes
-    uint16_t *neighbour;   // [start[nodes]] index in the horizon
-    double *scale;         // [nodes] surface correction; a bond's stiffness is multiplied by the mean of its two nodes'
-    size_t cut;            // number of bonds that cracks cut, each counted once
+    size_t *start;       // [nodes + 1]
+    int *partner;        // [start[nodes]] nodes
+    uint16_t *neighbour; // [start[nodes]] index in the horizon
+    double *scale;       // [nodes] surface correction; a bond's stiffness is multiplied by the mean of its two nodes'
+    size_t cut;          // number of bonds that cracks cut, each counted once
 } pdmc_bond_families;
 
-/// Surface correction, where the problem asks for it: scale = the energy of an isotropic stretch of a whole horizon over
-/// that of the node's bonds inside the grid, cut or not (the energy method of Yu 2011, section 4.5.3; the discretised
-/// form).
+/// Surface correction, where the problem asks for it: scale = the energy of an isotropic stretch of a whole horizon
+/// over that of the node's bonds inside the grid, cut or not (Yu 2011, eq. 3.59-3.61, as sums over the bonds; there the
+/// scale of one node only multiplies the bond, and K would not be symmetric).
 /// @param[out] out  free with pdmc_bond_families_clear(); zero on failure
 /// @return PDMC_OK or PDMC_ERR_NOMEM
 PDMC_NODISCARD pdmc_status pdmc_bond_families_create(const pdmc_problem *problem, const pdmc_bond_grid *grid,
