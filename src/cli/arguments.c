@@ -88,6 +88,13 @@ static bool read_output(const char *value, arguments *out)
     return *value != '\0';
 }
 
+static bool read_folder(const char *value, arguments *out)
+{
+    if (*value == '\0') fputs("pdmc: --plot: the name of the folder is empty\n", stderr);
+    out->folder = value;
+    return *value != '\0';
+}
+
 static bool read_tip(const char *value, arguments *out)
 {
     if (out->tip_count == PDMC_ASKED) {
@@ -138,7 +145,7 @@ static bool read_option(int letter, const char *value, arguments *out)
     case 'T': return read_tip(value, out);
     case 'A': return read_angles(value, out);
     case 'M': return read_measure(value, out);
-    case 'P': out->folder = value; return true;
+    case 'P': return read_folder(value, out);
     case 'h': out->command = COMMAND_HELP; return true;
     case 'V': out->command = COMMAND_VERSION; return true;
     case 't':

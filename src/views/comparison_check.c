@@ -63,10 +63,9 @@ static void remark_samples(const pdmc_comparison *c, FILE *notes)
     if (a->sample_count == 0 || b->sample_count == 0)
         fprintf(notes, "%s has no samples\n", c->labels[a->sample_count == 0 ? 0 : 1]);
     else if (a->seed == b->seed && !c->paired)
-        fputs(
-            "the same seed and different numbers of samples: those that both have share their random numbers, yet the\n"
-            "samples are taken as independent, so that p and intervals of differences are too large\n",
-            notes);
+        fputs("the same seed, but different numbers of samples: taken as independent, so that p and intervals of "
+              "differences are too large\n",
+              notes);
     else if (c->paired && !c->same_load && !c->same_micromodulus)
         fputs("the same seed, but other load factors and another stiffness\n", notes);
 }
