@@ -47,7 +47,7 @@ typedef struct {
     int bonds;
     double *row; // [bonds, unknowns], or [bonds, PDMC_BOND_ENDS] where there are columns
     int *column; // [bonds, PDMC_BOND_ENDS] unknowns, or NULL
-    int *ring;   // [bonds] ascending
+    int *ring;   // [bonds]
 } pdmc_crossing;
 
 enum { PDMC_BOND_ENDS = 4 };

@@ -20,6 +20,9 @@ typedef struct {
 
 enum { PDMC_CROSSING_RINGS = 8, PDMC_CROSSING_BONDS = 8 * 8 * 16 };
 
+/// Points of the Gauss rule over a line of growth, where the bonds that cross it anywhere are counted.
+enum { PDMC_LINE_POINTS = 4 };
+
 /// Bonds that an existing crack cuts, or that end outside the plate, are left out.
 /// @param[in]  x_t    the point, length
 /// @param[in]  phi    direction of the fracture line

@@ -113,6 +113,9 @@ typedef enum { PDMC_BONDS_ALL, PDMC_BONDS_TENSILE } pdmc_bonds;
 typedef enum { PDMC_MEASURE_BOND, PDMC_MEASURE_GRIFFITH } pdmc_measure;
 enum { PDMC_MEASURES = 2 };
 
+/// Where the bonds of G_E cross the line of growth: at the point x_t, or anywhere between the tip and x_t, averaged.
+typedef enum { PDMC_LINE_POINT, PDMC_LINE_SEGMENT } pdmc_energy_line;
+
 /// Which energy release rates are asked for.
 typedef struct {
     int tip_count;
@@ -120,6 +123,7 @@ typedef struct {
     int angles;           // directions phi_k = 2 pi k / angles
     double extension;     // delta_alpha, distance from the tip to the point where bonds cross, length
     double horizon;       // radius of the bonds that are counted, length
+    pdmc_energy_line line; // of the collocation; a grid of bonds has segments
     pdmc_bonds bonds;     // bonds in tension only, or all
     pdmc_measure measure; // what P(G > G_c) and the direction are computed from
 } pdmc_energy_request;

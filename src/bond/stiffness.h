@@ -8,8 +8,6 @@ typedef struct {
     pdmc_bond_grid grid;
     pdmc_bond_horizon horizon;
     pdmc_bond_families families;
-    int held_unknowns; // of rigid motions that nothing holds: fixed at 0 and taken out of the solution afterwards
-    int held[3];
 } pdmc_bond_plate;
 
 /// Y = K X for PDMC_BLOCK columns, K = h^2 L with the sign that makes it positive: force / thickness of the free

@@ -51,25 +51,55 @@ static void stretch_rows(const pdmc_displacement_functional *displacement, works
     }
 }
 
+// Points on the line of growth where bonds cross, as shares of the extension, and their weights.
+static pdmc_status line_points(pdmc_energy_line line, int *count, double share[], double weight[])
+{
+    *count = line == PDMC_LINE_POINT ? 1 : PDMC_LINE_POINTS;
+    share[0] = weight[0] = 1.0;
+    return line == PDMC_LINE_POINT ? PDMC_OK : pdmc_gauss_legendre(PDMC_LINE_POINTS, 0.0, 1.0, share, weight);
+}
+
+// Appends the bonds that cross at one point; weight: of the point.
+static pdmc_status append_point(const pdmc_problem *problem, const pdmc_displacement_functional *displacement,
+                                const double coefficients[], const pdmc_ring_rule *rings, workspace *work, int unknowns,
+                                const double x_t[2], double phi, double weight, pdmc_crossing *crossing)
+{
+    int count;
+    const int n = displacement->unknowns, first = crossing->bonds;
+    const pdmc_status status = pdmc_crossing_bonds(problem, x_t, phi, rings, &count, work->bonds);
+    if (status != PDMC_OK) return status;
+    for (int b = 0; b < count; b++) {
+        crossing->ring[first + b] = work->bonds[b].ring;
+        work->bonds[b].weight *= weight;
+    }
+    stretch_rows(displacement, work, count);
+    if (count > 0)
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, count, unknowns, n, 1.0, work->stretch, n, coefficients, n,
+                    0.0, &crossing->row[(size_t)first * (size_t)unknowns], unknowns);
+    crossing->bonds += count;
+    return PDMC_OK;
+}
+
 static pdmc_status fill_crossing(const pdmc_problem *problem, const pdmc_displacement_functional *displacement,
                                  const double coefficients[], const pdmc_affine *model, const pdmc_ring_rule *rings,
                                  workspace *work, int direction, pdmc_crossing *crossing)
 {
     pdmc_status status = PDMC_OK;
-    const int tip = problem->energy.tips[direction / model->angles], n = displacement->unknowns, r = model->unknowns;
+    const int tip = problem->energy.tips[direction / model->angles];
     const pdmc_crack *crack = &problem->cracks[tip / 2];
     const double *position = tip % 2 ? crack->to : crack->from;
     const double phi = 2.0 * M_PI * (direction % model->angles) / model->angles;
-    const double x_t[2] = {position[0] + problem->energy.extension * cos(phi),
-                           position[1] + problem->energy.extension * sin(phi)};
-    PDMC_TRY(pdmc_crossing_bonds(problem, x_t, phi, rings, &crossing->bonds, work->bonds));
-    PDMC_NEW(crossing->row, crossing->bonds * r);
-    PDMC_NEW(crossing->ring, crossing->bonds);
-    for (int b = 0; b < crossing->bonds; b++) crossing->ring[b] = work->bonds[b].ring;
-    stretch_rows(displacement, work, crossing->bonds);
-    if (crossing->bonds > 0)
-        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, crossing->bonds, r, n, 1.0, work->stretch, n, coefficients,
-                    n, 0.0, crossing->row, r);
+    int points;
+    double share[PDMC_LINE_POINTS], weight[PDMC_LINE_POINTS];
+    PDMC_TRY(line_points(problem->energy.line, &points, share, weight));
+    PDMC_NEW(crossing->row, (size_t)(points * PDMC_CROSSING_BONDS) * (size_t)model->unknowns);
+    PDMC_NEW(crossing->ring, points * PDMC_CROSSING_BONDS);
+    for (int p = 0; p < points; p++) {
+        const double distance = share[p] * problem->energy.extension;
+        const double x_t[2] = {position[0] + distance * cos(phi), position[1] + distance * sin(phi)};
+        PDMC_TRY(append_point(problem, displacement, coefficients, rings, work, model->unknowns, x_t, phi, weight[p],
+                              crossing));
+    }
 done:
     return status;
 }

@@ -43,6 +43,7 @@ static sizes count(const pdmc_problem *problem, double spacing)
 // How often what is done.
 typedef struct {
     sizes fine, coarse;                            // coarse: the second solution, by which the errors are estimated
+    double bonds;                                  // that cross a line of growth
     double rings;                                  // on which the operator is assembled
     double terms;                                  // rings with a random coefficient
     double directions, dimension, samples, solved; // solved: samples with a solution of their own, by direct solves
@@ -57,6 +58,7 @@ static amounts count_all(const pdmc_problem *problem, int threads)
     a.fine = count(problem, problem->solver.spacing);
     a.coarse = count(problem, 1.25 * problem->solver.spacing);
     a.steps = problem->kind == PDMC_DYNAMIC ? pdmc_problem_steps(problem) : 0.0;
+    a.bonds = PDMC_CROSSING_BONDS * (problem->energy.line == PDMC_LINE_SEGMENT ? PDMC_LINE_POINTS : 1);
     a.terms = noise ? a.rings : 0.0;
     a.directions = problem->energy.tip_count * (double)problem->energy.angles;
     a.dimension = noise ? response_size : 2.0;
@@ -78,7 +80,7 @@ static double seconds_to_sample(const amounts *a)
     const double solve = a->solved > 0.0 ? seconds_per_flop * n * n * (2.0 * a->fine.rows - 2.0 / 3.0 * n) : 0.0;
     const double bond = seconds_per_bond + a->dimension * seconds_per_bond_direction;
     const double blocks = ceil(a->samples / PDMC_BLOCK), rounds = 1.0 + ceil((blocks - 1.0) / a->threads);
-    return fmin(rounds * PDMC_BLOCK, a->samples) * (solve + a->directions * PDMC_CROSSING_BONDS * bond);
+    return fmin(rounds * PDMC_BLOCK, a->samples) * (solve + a->directions * a->bonds * bond);
 }
 
 // Three rows of the strain and two of the displacement at each point, whitened and squared; then steps on one thread.
@@ -106,7 +108,7 @@ static double seconds_in_all(const amounts *a, double file)
     const double whitened = a->solved > 0.0 ? seconds_per_flop * a->terms * a->fine.interior * n * n / a->threads : 0.0;
     const double errors = a->directions > 0.0 ? seconds_to_solve(a, &a->coarse) : 0.0;
     const double operators = seconds_per_word_value * a->terms * n * a->fine.rows;
-    const double crossings = seconds_per_bond_value * a->directions * PDMC_CROSSING_BONDS * n / a->threads;
+    const double crossings = seconds_per_bond_value * a->directions * a->bonds * n / a->threads;
     return seconds_to_solve(a, &a->fine) + errors + operators + whitened + crossings + seconds_to_sample(a) +
            seconds_to_move(a) + seconds_to_summarise(a) + seconds_per_byte * file;
 }
@@ -124,7 +126,7 @@ static double bytes_at_most(const amounts *a, double file)
     const double n = a->fine.unknowns;
     const double coarse = a->directions > 0.0 ? numbers_kept(a, &a->coarse) + a->coarse.rows * a->coarse.unknowns : 0.0;
     const double direct = a->solved > 0.0 ? n * (a->terms * a->fine.interior + a->threads * a->fine.rows) : 0.0;
-    const double crossings = a->directions * PDMC_CROSSING_BONDS * a->dimension + a->threads * PDMC_CROSSING_BONDS * n;
+    const double crossings = a->directions * a->bonds * a->dimension + a->threads * a->bonds * n;
     const double solving = 8.0 * fmax(coarse, n * a->fine.rows), sampling = 8.0 * (direct + crossings) + file;
     const double moving = a->steps > 0.0 ? 8.0 * 3.0 * n * n + file : 0.0; // mass, stiffness, and the factor of a step
     return bytes_of_program + fmax(2.0 * file, 8.0 * numbers_kept(a, &a->fine) + fmax(moving, fmax(solving, sampling)));

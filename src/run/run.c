@@ -3,6 +3,7 @@
 
 #include "base/base_impl.h"
 #include "pdmc/discretisation.h"
+#include "run/coarser.h"
 #include "run/motion.h"
 
 #include <gsl/gsl_math.h>
@@ -80,9 +81,12 @@ static pdmc_status estimate_errors(const pdmc_problem *problem, int threads, pdm
     pdmc_status status = PDMC_OK;
     pdmc_problem coarse = *problem;
     pdmc_discretisation plate = {0};
-    coarse.solver.spacing *= 1.25;
-    coarse.solver.shape *= 1.25;
-    coarse.solver.refinement = (int)fmax(0.8 * coarse.solver.refinement, 2.0);
+    const bool is_coarser = pdmc_make_coarser(&coarse);
+    for (int t = 0; t < results->tip_count && !is_coarser; t++) {
+        pdmc_tip *tip = &results->tips[t];
+        tip->stress_intensity_error[0] = tip->stress_intensity_error[1] = tip->t_stress_error = NAN;
+    }
+    if (!is_coarser) return PDMC_OK;
     PDMC_TRY(pdmc_discretise(&coarse, threads, &plate));
     for (int t = 0; t < results->tip_count; t++) {
         pdmc_tip *tip = &results->tips[t], other;

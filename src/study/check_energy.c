@@ -4,6 +4,8 @@
 
 #include "study/study_impl.h"
 
+#include <math.h>
+
 static pdmc_study_address at(const char *key)
 {
     return (pdmc_study_address){SECTION_ENERGY, -1, key};
@@ -38,9 +40,25 @@ static void warn_of_horizon(const pdmc_study_reader *reader, int tip)
         horizon, horizon / half, half, name);
 }
 
+// A grid has the bonds of its own horizon, and needs a line that some of them cross.
+static pdmc_status check_grid(const pdmc_study_reader *reader)
+{
+    const pdmc_problem *p = reader->problem;
+    if (p->solver.method != PDMC_METHOD_BOND || p->energy.tip_count == 0) return PDMC_OK;
+    if (fabs(p->energy.horizon - p->solver.horizon) > 1e-9 * p->solver.horizon)
+        return pdmc_study_refuse(reader, at("horizon"), "%g is not allowed, must be %g, that of the bonds",
+                                 p->energy.horizon, p->solver.horizon);
+    if (pdmc_study_with_rounding(p->energy.extension) < p->solver.spacing)
+        return pdmc_study_refuse(reader, at("extension"), "%g is too short, must be at least %g, the spacing",
+                                 p->energy.extension, p->solver.spacing);
+    return PDMC_OK;
+}
+
 pdmc_status pdmc_study_check_energy(const pdmc_study_reader *reader)
 {
     const pdmc_energy_request *energy = &reader->problem->energy;
+    const pdmc_status status = check_grid(reader);
+    if (status != PDMC_OK) return status;
     if (energy->tip_count > 0) warn_of_extension(reader);
     for (int i = 0; i < energy->tip_count; i++) warn_of_horizon(reader, energy->tips[i]);
     return PDMC_OK;

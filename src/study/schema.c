@@ -67,6 +67,7 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define SWITCH CHOICES("off", "on")
 #define STENCILS CHOICES("imq", "polyharmonic")
 #define INVERSES CHOICES("direct", "neumann", "krylov")
+#define LINES CHOICES("point", "segment")
 #define BONDS CHOICES("all", "tensile")
 #define MEASURES CHOICES("bond", "griffith")
 
@@ -214,6 +215,9 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_ENERGY, "extension", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(energy.extension),
      .derive = pdmc_study_default_extension, .fallback = "0.25 energy.horizon",
      .doc = "distance from the tip to the point where bonds cross"},
+    {SECTION_ENERGY, "line", KIND_CHOICE, .offset = IN_PROBLEM(energy.line), .choices = LINES, .fallback = "point",
+     FOR(ANALYTIC | PAPER | VISIBLE),
+     .doc = "bonds are counted that cross at the extension, or anywhere up to it, averaged as method = \"bond\" does"},
     {SECTION_ENERGY, "bonds", KIND_CHOICE, .offset = IN_PROBLEM(energy.bonds), .choices = BONDS, .fallback = "all",
      .doc = "whether bonds in compression count"},
     {SECTION_ENERGY, "measure", KIND_CHOICE, .offset = IN_PROBLEM(energy.measure), .choices = MEASURES,
@@ -228,7 +232,8 @@ _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == si
                    sizeof(pdmc_stencil_kind) == sizeof(int) && sizeof(pdmc_bonds) == sizeof(int) &&
                    sizeof(pdmc_measure) == sizeof(int) && sizeof(pdmc_problem_kind) == sizeof(int) &&
                    sizeof(pdmc_face) == sizeof(int) && sizeof(pdmc_method) == sizeof(int) &&
-                   sizeof(pdmc_bond_area) == sizeof(int) && sizeof(pdmc_bond_micromodulus) == sizeof(int),
+                   sizeof(pdmc_bond_area) == sizeof(int) && sizeof(pdmc_bond_micromodulus) == sizeof(int) &&
+                   sizeof(pdmc_energy_line) == sizeof(int),
                "enumerations of another size");
 
 pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem)

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bond/bond.h"
+#include "bond/crossing.h"
+
+#include <cblas.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <string.h>
+
+enum { B = PDMC_BLOCK };
+
+static const pdmc_bond *bond_of(const pdmc_affine *model)
+{
+    return model->discretisation;
+}
+
+// The model only refers to the plate.
+static void release(void *discretisation)
+{
+    (void)discretisation;
+}
+
+// y = (mean K_0 + sum_m xi_m K_m) x.
+static pdmc_status combine(const pdmc_affine *model, double mean, const double xi[], const double x[], double y[])
+{
+    pdmc_status status = PDMC_OK;
+    const int shells = bond_of(model)->plate.horizon.shells, count = B * shells;
+    double *factor = NULL;
+    PDMC_NEW(factor, count);
+    for (int k = 0; k < count; k++) factor[k] = mean + (model->terms > 0 ? xi[k] : 0.0);
+    PDMC_TRY(pdmc_bond_multiply(&bond_of(model)->plate, factor, x, y));
+done:
+    pdmc_free(factor);
+    return status;
+}
+
+static pdmc_status multiply(const pdmc_affine *model, const double xi[], const double x[], double y[])
+{
+    return combine(model, 1.0, xi, x, y);
+}
+
+static pdmc_status precondition(const pdmc_affine *model, const double r[], double z[])
+{
+    return pdmc_bond_factor_solve(bond_of(model)->factor, B, r, z);
+}
+
+static pdmc_status perturb(const pdmc_affine *model, const double xi[], const double x[], double y[])
+{
+    const pdmc_status status = combine(model, 0.0, xi, x, y);
+    return status == PDMC_OK ? precondition(model, y, y) : status;
+}
+
+static pdmc_status solve(const pdmc_affine *model, const double xi[], const double scale[2], double x[])
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_bond *bond = bond_of(model);
+    const int shells = bond->plate.horizon.shells;
+    pdmc_bond_matrix matrix = {0};
+    pdmc_bond_factor *factor = NULL;
+    double *shell_factor = NULL;
+    PDMC_NEW(shell_factor, shells);
+    for (int m = 0; m < shells; m++) shell_factor[m] = 1.0 + (model->terms > 0 ? xi[m] : 0.0);
+    PDMC_TRY(pdmc_bond_matrix_create(&bond->plate, shell_factor, &matrix));
+    PDMC_TRY(pdmc_bond_factor_create(&matrix, bond->factor, &factor));
+    PDMC_TRY(pdmc_bond_solve(bond, factor, shell_factor, scale, x));
+done:
+    pdmc_bond_factor_destroy(&factor);
+    pdmc_bond_matrix_clear(&matrix);
+    pdmc_free(shell_factor);
+    return status;
+}
+
+// E_eff is proportional to the energy of an isotropic stretch, sum_k c_k area_k |xi_k|.
+static void fill_modulus_weight(const pdmc_bond_horizon *horizon, double weight[])
+{
+    double sum = 0.0;
+    for (int k = 0; k < horizon->count; k++) {
+        const pdmc_bond_neighbour *n = &horizon->neighbour[k];
+        const double energy = n->stiffness * n->length * n->length;
+        sum += energy;
+        for (int b = 0; b < horizon->bins; b++) weight[b] += energy * horizon->share[b * horizon->shells + n->shell];
+    }
+    for (int b = 0; b < horizon->bins; b++) weight[b] /= sum;
+}
+
+static pdmc_status fill_weights(const pdmc_bond *bond, pdmc_affine *model)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_bond_horizon *horizon = &bond->plate.horizon;
+    const size_t shares = (size_t)horizon->bins * (size_t)horizon->shells;
+    model->bins = horizon->bins;
+    model->rings = horizon->shells;
+    model->terms = pdmc_problem_uncertainty(bond->problem, PDMC_QUANTITY_MICROMODULUS) ? horizon->shells : 0;
+    PDMC_NEW(model->term_weight, shares);
+    PDMC_NEW(model->ring_weight, shares);
+    PDMC_NEW(model->modulus_weight, horizon->bins);
+    memcpy(model->term_weight, horizon->share, shares * sizeof *horizon->share);
+    memcpy(model->ring_weight, horizon->share, shares * sizeof *horizon->share);
+    fill_modulus_weight(horizon, model->modulus_weight);
+done:
+    return status;
+}
+
+static pdmc_status fill_solutions(const pdmc_bond *bond, pdmc_affine *model)
+{
+    static const pdmc_affine_verbs verbs = {.perturb = perturb,
+                                            .solve = solve,
+                                            .multiply = multiply,
+                                            .precondition = precondition,
+                                            .destroy = release};
+    pdmc_status status = PDMC_OK;
+    const size_t n = (size_t)bond->unknowns;
+    model->verbs = &verbs;
+    model->discretisation = (void *)bond;
+    model->unknowns = bond->unknowns;
+    model->micromodulus = pdmc_micromodulus(&bond->problem->material, bond->problem->solver.horizon);
+    for (int l = 0; l < 2; l++) {
+        PDMC_NEW(model->solution[l], n);
+        memcpy(model->solution[l], bond->solution[l], n * sizeof(double));
+    }
+    PDMC_NEW(model->stress_intensity, 2 * (size_t)model->tips * n);
+    for (int t = 0; t < model->tips; t++) {
+        double *row = &model->stress_intensity[2 * (size_t)t * n];
+        PDMC_TRY(pdmc_bond_stress_intensity_rows(bond, bond->problem->energy.tips[t], row, row + n));
+    }
+done:
+    return status;
+}
+
+static pdmc_status fill_crossings(const pdmc_bond *bond, pdmc_affine *model)
+{
+    pdmc_status status = PDMC_OK;
+    const int directions = model->tips * model->angles;
+    PDMC_NEW(model->crossings, directions);
+#pragma omp parallel for schedule(dynamic) num_threads(bond->threads)
+    for (int d = 0; d < directions; d++) {
+        const double phi = 2.0 * M_PI * (d % model->angles) / model->angles;
+        const int tip = bond->problem->energy.tips[d / model->angles];
+        const pdmc_status mine = pdmc_bond_crossing_create(bond, tip, phi, &model->crossings[d]);
+        if (mine != PDMC_OK) {
+#pragma omp critical(pdmc_bond_crossings)
+            status = mine;
+        }
+    }
+done:
+    return status;
+}
+
+pdmc_status pdmc_bond_affine(const pdmc_bond *bond, pdmc_affine *model)
+{
+    pdmc_status status = PDMC_OK;
+    const double start = pdmc_seconds();
+    const pdmc_energy_request *energy = &bond->problem->energy;
+    *model = (pdmc_affine){.tips = energy->tip_count, .angles = energy->angles};
+    PDMC_TRY(fill_weights(bond, model));
+    PDMC_TRY(fill_solutions(bond, model));
+    const double made = pdmc_seconds();
+    PDMC_TRY(fill_crossings(bond, model));
+    model->operator_seconds = made - start;
+    model->energy_seconds = pdmc_seconds() - made;
+done:
+    if (status != PDMC_OK) pdmc_affine_clear(model);
+    return status;
+}

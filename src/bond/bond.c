@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bond/bond.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <string.h>
+
+// Displacement of an unknown in a rigid motion (t_x, t_y, omega).
+static double rigid(const pdmc_bond_grid *grid, const double motion[3], int unknown)
+{
+    double x[2];
+    pdmc_bond_grid_node(grid, unknown / 2, x);
+    return unknown % 2 == 0 ? motion[0] - motion[2] * x[1] : motion[1] + motion[2] * x[0];
+}
+
+enum { CANDIDATES = 8 }; // the unknowns of the corner nodes
+
+// Takes out of the other motions what moves an unknown.
+static void eliminate(int count, double value[3][CANDIDATES], int pivot, int column)
+{
+    for (int m = pivot + 1; m < count; m++) {
+        const double ratio = value[m][column] / value[pivot][column];
+        for (int c = 0; c < CANDIDATES; c++) value[m][c] -= ratio * value[pivot][c];
+    }
+}
+
+// Holds as many unknowns as there are rigid motions that nothing else holds, at corners, where they stop them best. The
+// loads are in equilibrium, so that it takes no force to hold them.
+static pdmc_status hold_rigid_motions(const pdmc_problem *problem, pdmc_bond_grid *grid)
+{
+    const int corners[4] = {0, grid->columns - 1, grid->nodes - grid->columns, grid->nodes - 1};
+    int count;
+    double motion[3][3], value[3][CANDIDATES];
+    const pdmc_status status = pdmc_problem_free_motions(problem, &count, motion);
+    if (status != PDMC_OK) return status;
+    for (int m = 0; m < count; m++)
+        for (int c = 0; c < CANDIDATES; c++) value[m][c] = rigid(grid, motion[m], 2 * corners[c / 2] + c % 2);
+    for (int m = 0; m < count; m++) {
+        const int best = (int)cblas_idamax(CANDIDATES, value[m], 1);
+        grid->held[corners[best / 2]] |= (uint8_t)(1U << (best % 2));
+        eliminate(count, value, m, best);
+    }
+    return PDMC_OK;
+}
+
+// The node in the plate's column or row `along` of a side, `depth` rows inside; -1 beyond the side's end.
+static int node_at_side(const pdmc_problem *problem, const pdmc_bond_grid *grid, pdmc_side side, int along, int depth)
+{
+    const double h = grid->spacing;
+    const int first[2] = {(int)lround((-0.5 * problem->plate.width + 0.5 * h - grid->origin[0]) / h),
+                          (int)lround((-0.5 * problem->plate.height + 0.5 * h - grid->origin[1]) / h)};
+    const int count[2] = {(int)lround(problem->plate.width / h), (int)lround(problem->plate.height / h)};
+    const int across = side == PDMC_SIDE_LEFT || side == PDMC_SIDE_RIGHT ? 0 : 1;
+    const bool is_far = side == PDMC_SIDE_RIGHT || side == PDMC_SIDE_TOP;
+    int at[2];
+    if (along >= count[1 - across]) return -1;
+    at[across] = is_far ? count[across] - 1 - depth : depth;
+    at[1 - across] = along;
+    return (first[1] + at[1]) * grid->columns + first[0] + at[0];
+}
+
+// A traction as a body force in the layer of nodes next to its side: sigma h / rows on every node.
+static void add_load(pdmc_bond *bond, const pdmc_load *load)
+{
+    const pdmc_bond_grid *grid = &bond->plate.grid;
+    const int rows = (int)lround(bond->problem->solver.load_layer / grid->spacing);
+    for (int depth = 0; depth < rows; depth++) {
+        int node;
+        for (int along = 0; (node = node_at_side(bond->problem, grid, load->side, along, depth)) >= 0; along++)
+            for (int k = 0; k < 2; k++)
+                if (!(grid->held[node] & (1U << k)))
+                    bond->load[2 * node + k] += load->traction[k] * grid->spacing / rows;
+    }
+}
+
+static pdmc_status factor_mean(pdmc_bond *bond)
+{
+    pdmc_status status = PDMC_OK;
+    const int shells = bond->plate.horizon.shells;
+    const double start = pdmc_seconds();
+    pdmc_bond_matrix matrix = {0};
+    double *factor = NULL;
+    PDMC_NEW(factor, shells);
+    for (int s = 0; s < shells; s++) factor[s] = 1.0;
+    PDMC_TRY(pdmc_bond_matrix_create(&bond->plate, factor, &matrix));
+    const double assembled = pdmc_seconds();
+    PDMC_TRY(pdmc_bond_factor_create(&matrix, NULL, &bond->factor));
+    bond->assembly_seconds += assembled - start;
+    bond->factorisation_seconds = pdmc_seconds() - assembled;
+done:
+    pdmc_bond_matrix_clear(&matrix);
+    pdmc_free(factor);
+    return status;
+}
+
+pdmc_status pdmc_bond_product(const pdmc_bond *bond, const double factor[], const double x[], double y[])
+{
+    pdmc_status status = PDMC_OK;
+    const int n = bond->unknowns, shells = bond->plate.horizon.shells;
+    double *block = NULL, *product = NULL, *factors = NULL;
+    PDMC_NEW(block, (size_t)PDMC_BLOCK * (size_t)n);
+    PDMC_NEW(product, (size_t)PDMC_BLOCK * (size_t)n);
+    PDMC_NEW(factors, PDMC_BLOCK * shells);
+    memcpy(block, x, (size_t)n * sizeof *x);
+    memcpy(factors, factor, (size_t)shells * sizeof *factor);
+    PDMC_TRY(pdmc_bond_multiply(&bond->plate, factors, block, product));
+    memcpy(y, product, (size_t)n * sizeof *y);
+done:
+    pdmc_free(block);
+    pdmc_free(product);
+    pdmc_free(factors);
+    return status;
+}
+
+pdmc_status pdmc_bond_solve(const pdmc_bond *bond, const pdmc_bond_factor *factor, const double shell_factor[],
+                            const double scale[2], double x[])
+{
+    pdmc_status status = PDMC_OK;
+    const int n = bond->unknowns;
+    double *force = NULL; // that the prescribed displacements put on the free unknowns
+    PDMC_NEW(force, n);
+    PDMC_TRY(pdmc_bond_product(bond, shell_factor, bond->plate.grid.prescribed, force));
+    for (int k = 0; k < n; k++)
+        x[k] = scale[0] * (bond->plate.grid.prescribed[k] - force[k]) + scale[1] * bond->load[k];
+    PDMC_TRY(pdmc_bond_factor_solve(factor, 1, x, x));
+done:
+    pdmc_free(force);
+    return status;
+}
+
+static pdmc_status solve_mean(pdmc_bond *bond)
+{
+    pdmc_status status = PDMC_OK;
+    const int n = bond->unknowns, shells = bond->plate.horizon.shells;
+    double *factor = NULL, *force = NULL;
+    PDMC_NEW(factor, shells);
+    PDMC_NEW(force, n);
+    PDMC_NEW(bond->mean, n);
+    for (int s = 0; s < shells; s++) factor[s] = 1.0;
+    for (int l = 0; l < 2; l++) {
+        const double scale[2] = {l == 0, l == 1};
+        PDMC_NEW(bond->solution[l], n);
+        PDMC_TRY(pdmc_bond_solve(bond, bond->factor, factor, scale, bond->solution[l]));
+        cblas_daxpy(n, 1.0, bond->solution[l], 1, bond->mean, 1);
+    }
+    PDMC_TRY(pdmc_bond_product(bond, factor, bond->mean, force));
+    for (int k = 0; k < n; k++)
+        bond->residual = fmax(bond->residual, fabs(force[k] - bond->load[k]) / bond->plate.grid.spacing);
+done:
+    pdmc_free(factor);
+    pdmc_free(force);
+    return status;
+}
+
+static pdmc_status make_plate(pdmc_bond *bond)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_problem *problem = bond->problem;
+    const double start = pdmc_seconds();
+    const pdmc_uncertainty *noise = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_MICROMODULUS);
+    pdmc_bond_plate *plate = &bond->plate;
+    PDMC_TRY(pdmc_bond_horizon_create(problem, noise ? noise->bins : 1, &plate->horizon));
+    PDMC_TRY(pdmc_bond_grid_create(problem, &plate->grid));
+    PDMC_TRY(hold_rigid_motions(problem, &plate->grid));
+    PDMC_TRY(pdmc_bond_families_create(problem, &plate->grid, &plate->horizon, &plate->families));
+    bond->unknowns = 2 * plate->grid.nodes;
+    PDMC_NEW(bond->load, bond->unknowns);
+    for (int l = 0; l < problem->load_count; l++) add_load(bond, &problem->loads[l]);
+    bond->assembly_seconds = pdmc_seconds() - start;
+done:
+    return status;
+}
+
+pdmc_status pdmc_bond_create(const pdmc_problem *problem, int threads, pdmc_bond **bond)
+{
+    PDMC_REQUIRE(threads >= 1, "%d threads: at least one is needed", threads);
+    pdmc_status status = PDMC_OK;
+    pdmc_bond *made = NULL;
+    pdmc_blas_prepare();
+    PDMC_TRY(pdmc_problem_check_equilibrium(problem));
+    PDMC_NEW(made, 1);
+    made->problem = problem;
+    made->threads = threads;
+    PDMC_TRY(make_plate(made));
+    PDMC_TRY(factor_mean(made));
+    PDMC_TRY(solve_mean(made));
+    *bond = made;
+    made = NULL;
+done:
+    pdmc_bond_destroy(&made);
+    return status;
+}
+
+void pdmc_bond_destroy(pdmc_bond **bond)
+{
+    pdmc_bond *old = *bond;
+    if (!old) return;
+    pdmc_bond_factor_destroy(&old->factor);
+    pdmc_bond_families_clear(&old->plate.families);
+    pdmc_bond_grid_clear(&old->plate.grid);
+    pdmc_bond_horizon_clear(&old->plate.horizon);
+    pdmc_free(old->load);
+    for (int l = 0; l < 2; l++) pdmc_free(old->solution[l]);
+    pdmc_free(old->mean);
+    pdmc_free(old);
+    *bond = NULL;
+}

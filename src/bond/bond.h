@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The meshfree bond method, static and linearised: Silling & Askari 2005 on a regular grid, bonds that cross a crack
+/// removed. It solves the same problem as the collocation over visible nodes at the same horizon.
+
+#include "bond/factor.h"
+#include "pdmc/affine.h"
+#include "pdmc/results.h"
+
+typedef struct {
+    const pdmc_problem *problem;
+    int threads, unknowns; // 2 nodes
+    pdmc_bond_plate plate;
+    pdmc_bond_factor *factor; // of the mean operator
+    double *load;             // [unknowns] force / thickness of the tractions; 0 where held
+    double *solution[2];      // [unknowns] answers to the prescribed displacements, and to the tractions
+    double *mean;             // [unknowns] their sum
+    double residual;          // largest of the mean, force / length^2
+    double assembly_seconds, factorisation_seconds;
+} pdmc_bond;
+
+/// Makes the grid, factors its mean operator, and solves for the problem's mean loads.
+/// @param[in]  problem  kept by reference: it must outlive the model
+/// @param[in]  threads  >= 1; the result does not depend on it
+/// @param[out] bond     destroy with pdmc_bond_destroy()
+/// @return PDMC_OK, PDMC_ERR_CONFIG (loads out of equilibrium), PDMC_ERR_SINGULAR, PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
+PDMC_NODISCARD pdmc_status pdmc_bond_create(const pdmc_problem *problem, int threads, pdmc_bond **bond);
+
+/// NULL is allowed; sets the pointer to NULL.
+void pdmc_bond_destroy(pdmc_bond **bond);
+
+/// y = K x of one vector, and of the prescribed displacements in it.
+/// @param[in] factor  [shells] of each shell's mean stiffness
+PDMC_NODISCARD pdmc_status pdmc_bond_product(const pdmc_bond *bond, const double factor[], const double x[],
+                                             double y[]);
+
+/// Solves for scale[0] times the prescribed displacements and scale[1] times the tractions.
+/// @param[in]  factor        of the operator with these shell factors
+/// @param[in]  shell_factor  [shells]
+/// @param[out] x             [unknowns]
+PDMC_NODISCARD pdmc_status pdmc_bond_solve(const pdmc_bond *bond, const pdmc_bond_factor *factor,
+                                           const double shell_factor[], const double scale[2], double x[]);
+
+/// The mean displacement at x: that of a node, or the polynomial of degree 2 that fits the nodes nearby that are seen
+/// from `anchor`, a point close by on the side of a crack that is meant; elsewhere anchor = x.
+/// @return PDMC_OK, PDMC_ERR_NOMEM, PDMC_ERR_SINGULAR where too few nodes are seen, or PDMC_ERR_EXTERN
+PDMC_NODISCARD pdmc_status pdmc_bond_displacement(const pdmc_bond *bond, const double x[2], const double anchor[2],
+                                                  double u[2]);
+
+/// Name, position and direction of a tip, with K_I and K_II by the interaction integral; T is NaN.
+PDMC_NODISCARD pdmc_status pdmc_bond_tip(const pdmc_bond *bond, int tip, pdmc_tip *out);
+
+/// K_I and K_II of a tip as functionals of the unknowns, by the interaction integral beyond the horizon.
+/// @param[in,out] row_1, row_2  [unknowns] added to
+PDMC_NODISCARD pdmc_status pdmc_bond_stress_intensity_rows(const pdmc_bond *bond, int tip, double row_1[],
+                                                           double row_2[]);
+
+/// The affine model of the problem's uncertain quantities: a term for each shell of bonds, xi_m the relative deviation
+/// of its micromodulus. The model's coordinates are the unknowns.
+/// @param[out] model  clear it before the bond model
+PDMC_NODISCARD pdmc_status pdmc_bond_affine(const pdmc_bond *bond, pdmc_affine *model);

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bond/factor.h"
+
+#include <cholmod.h>
+#include <string.h>
+
+struct pdmc_bond_factor {
+    cholmod_common common;
+    cholmod_factor *factor;
+};
+
+static void prepare(cholmod_common *common)
+{
+    cholmod_l_start(common);
+    common->supernodal = CHOLMOD_SUPERNODAL; // of matrices this size ten times as fast as the other
+    common->print = 0;
+}
+
+static pdmc_status failure(const cholmod_common *common, const char *what)
+{
+    switch (common->status) {
+    case CHOLMOD_OK: return PDMC_OK;
+    case CHOLMOD_NOT_POSDEF:
+        return pdmc_raise(PDMC_ERR_SINGULAR,
+                          "the stiffness of the bonds is not positive definite: a part of the plate is "
+                          "not held by bonds, or too many bonds have a negative micromodulus");
+    case CHOLMOD_OUT_OF_MEMORY: return pdmc_raise(PDMC_ERR_NOMEM, "out of memory: %s", what);
+    default: return pdmc_raise(PDMC_ERR_EXTERN, "%s returned %d", what, common->status);
+    }
+}
+
+// A view of our matrix as theirs; nothing is copied.
+static cholmod_sparse view_of(const pdmc_bond_matrix *matrix)
+{
+    return (cholmod_sparse){
+        .nrow = (size_t)matrix->unknowns,
+        .ncol = (size_t)matrix->unknowns,
+        .nzmax = (size_t)matrix->start[matrix->unknowns],
+        .p = matrix->start,
+        .i = matrix->row,
+        .x = matrix->value,
+        .stype = -1,
+        .itype = CHOLMOD_LONG,
+        .xtype = CHOLMOD_REAL,
+        .dtype = CHOLMOD_DOUBLE,
+        .sorted = 1,
+        .packed = 1,
+    };
+}
+
+// An empty factor with the ordering and the pattern of another one.
+static cholmod_factor *symbolic_copy(cholmod_factor *pattern, cholmod_common *common)
+{
+    cholmod_factor *copy = cholmod_l_copy_factor(pattern, common);
+    if (copy && !cholmod_l_change_factor(CHOLMOD_PATTERN, 1, 1, 1, 1, copy, common))
+        cholmod_l_free_factor(&copy, common);
+    return copy;
+}
+
+pdmc_status pdmc_bond_factor_create(const pdmc_bond_matrix *matrix, const pdmc_bond_factor *pattern,
+                                    pdmc_bond_factor **factor)
+{
+    pdmc_status status = PDMC_OK;
+    cholmod_sparse view = view_of(matrix);
+    pdmc_bond_factor *made = NULL;
+    PDMC_NEW(made, 1);
+    prepare(&made->common);
+    made->factor = pattern ? symbolic_copy(pattern->factor, &made->common) : cholmod_l_analyze(&view, &made->common);
+    PDMC_TRY(failure(&made->common, "cholmod_analyze"));
+    cholmod_l_factorize(&view, made->factor, &made->common);
+    PDMC_TRY(failure(&made->common, "cholmod_factorize"));
+    *factor = made;
+    made = NULL;
+done:
+    pdmc_bond_factor_destroy(&made);
+    return status;
+}
+
+void pdmc_bond_factor_destroy(pdmc_bond_factor **factor)
+{
+    pdmc_bond_factor *old = *factor;
+    if (!old) return;
+    cholmod_l_free_factor(&old->factor, &old->common);
+    cholmod_l_finish(&old->common);
+    pdmc_free(old);
+    *factor = NULL;
+}
+
+static cholmod_dense dense_view(size_t rows, size_t columns, double values[])
+{
+    return (cholmod_dense){.nrow = rows,
+                           .ncol = columns,
+                           .nzmax = rows * columns,
+                           .d = rows,
+                           .x = values,
+                           .xtype = CHOLMOD_REAL,
+                           .dtype = CHOLMOD_DOUBLE};
+}
+
+pdmc_status pdmc_bond_factor_solve(const pdmc_bond_factor *factor, int columns, const double b[], double x[])
+{
+    cholmod_common common; // the factor is shared by threads, what they work with is not
+    prepare(&common);
+    cholmod_dense loads = dense_view(factor->factor->n, (size_t)columns, (double *)b);
+    cholmod_dense *solution = cholmod_l_solve(CHOLMOD_A, factor->factor, &loads, &common);
+    const pdmc_status status = failure(&common, "cholmod_solve");
+    if (status == PDMC_OK) memcpy(x, solution->x, factor->factor->n * (size_t)columns * sizeof *x);
+    cholmod_l_free_dense(&solution, &common);
+    cholmod_l_finish(&common);
+    return status;
+}
+
+double pdmc_bond_factor_condition(const pdmc_bond_factor *factor)
+{
+    cholmod_common common;
+    prepare(&common);
+    const double reciprocal = cholmod_l_rcond(factor->factor, &common);
+    cholmod_l_finish(&common);
+    return 1.0 / reciprocal;
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bond/stiffness.h"
+
+/// The Cholesky factor of a symmetric positive definite matrix (CHOLMOD, supernodal).
+typedef struct pdmc_bond_factor pdmc_bond_factor;
+
+/// @param[in]  pattern  a factor of a matrix of the same pattern, whose ordering is used again; NULL to find one
+/// @param[out] factor   destroy with pdmc_bond_factor_destroy()
+/// @return PDMC_OK, PDMC_ERR_SINGULAR (not positive definite), PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
+PDMC_NODISCARD pdmc_status pdmc_bond_factor_create(const pdmc_bond_matrix *matrix, const pdmc_bond_factor *pattern,
+                                                   pdmc_bond_factor **factor);
+
+/// NULL is allowed; sets the pointer to NULL.
+void pdmc_bond_factor_destroy(pdmc_bond_factor **factor);
+
+/// x = K^-1 b, column by column. May be called from several threads at once.
+/// @param[in]  b  [columns, unknowns]
+/// @param[out] x  [columns, unknowns], may be b
+/// @return PDMC_OK, PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
+PDMC_NODISCARD pdmc_status pdmc_bond_factor_solve(const pdmc_bond_factor *factor, int columns, const double b[],
+                                                  double x[]);
+
+/// An estimate of the condition number, from the diagonal of the factor.
+double pdmc_bond_factor_condition(const pdmc_bond_factor *factor);

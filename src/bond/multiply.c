@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bond/stiffness.h"
+#include "pdmc/affine.h"
+
+// The columns are worked on TILE at a time, node by node, so that one instruction does the same for several of them.
+enum { TILE = 32, TILES = PDMC_BLOCK / TILE };
+
+typedef struct {
+    double u[2][TILE];
+} tile_vector;
+
+typedef struct {
+    double factor[TILE];
+} tile;
+
+// The widest vectors of the processor at hand. All do the same operations in the same order, without contraction, so
+// that the results do not depend on it. Sanitizers instrument what chooses among them before they are ready.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
+#define WIDEST_VECTORS __attribute__((target_clones("default", "arch=x86-64-v4")))
+#else
+#define WIDEST_VECTORS
+#endif
+
+static void gather_columns(int nodes, const double x[], tile_vector in[])
+{
+    const size_t unknowns = 2 * (size_t)nodes;
+    for (size_t node = 0; node < (size_t)nodes; node++)
+        for (size_t c = 0; c < TILE; c++)
+            for (size_t i = 0; i < 2; i++) in[node].u[i][c] = x[c * unknowns + 2 * node + i];
+}
+
+// [shells] h^2 times the stiffness of a bond of the shell in each column
+static void gather_stiffness(const pdmc_bond_plate *plate, const double factor[], tile stiffness[])
+{
+    const pdmc_bond_horizon *horizon = &plate->horizon;
+    const double area = plate->grid.spacing * plate->grid.spacing;
+    for (int k = 0; k < horizon->count; k++) {
+        const pdmc_bond_neighbour *n = &horizon->neighbour[k];
+        for (int c = 0; c < TILE; c++)
+            stiffness[n->shell].factor[c] = area * n->stiffness * factor[c * horizon->shells + n->shell];
+    }
+}
+
+// sum_j k e e . (u_i - u_j) of each node, in the order of its bonds
+WIDEST_VECTORS
+static void sum_bonds(const pdmc_bond_plate *plate, const tile stiffness[], const tile_vector in[], double y[])
+{
+    const pdmc_bond_families *families = &plate->families;
+    const size_t nodes = (size_t)plate->grid.nodes, unknowns = 2 * nodes;
+    for (size_t node = 0; node < nodes; node++) {
+        const tile_vector *here = &in[node];
+        tile_vector sum = {0};
+        for (size_t b = families->start[node]; b < families->start[node + 1]; b++) {
+            const pdmc_bond_neighbour *n = &plate->horizon.neighbour[families->neighbour[b]];
+            const int partner = families->partner[b];
+            const double scale = 0.5 * (families->scale[node] + families->scale[partner]);
+            const double e[2] = {n->direction[0], n->direction[1]}, pull[2] = {scale * e[0], scale * e[1]};
+            const tile_vector *there = &in[partner];
+            const double *k = stiffness[n->shell].factor;
+            for (int c = 0; c < TILE; c++) {
+                const double du = here->u[0][c] - there->u[0][c], dv = here->u[1][c] - there->u[1][c];
+                const double force = k[c] * (du * e[0] + dv * e[1]);
+                sum.u[0][c] += pull[0] * force;
+                sum.u[1][c] += pull[1] * force;
+            }
+        }
+        for (size_t i = 0; i < 2; i++) {
+            const bool is_held = plate->grid.held[node] & (1U << i);
+            for (size_t c = 0; c < TILE; c++) y[c * unknowns + 2 * node + i] = is_held ? 0.0 : sum.u[i][c];
+        }
+    }
+}
+
+pdmc_status pdmc_bond_multiply(const pdmc_bond_plate *plate, const double factor[], const double x[], double y[])
+{
+    pdmc_status status = PDMC_OK;
+    const size_t shells = (size_t)plate->horizon.shells, columns = 2 * (size_t)plate->grid.nodes * TILE;
+    tile_vector *in = NULL;
+    tile *stiffness = NULL;
+    PDMC_NEW(in, plate->grid.nodes);
+    PDMC_NEW(stiffness, shells);
+    for (size_t t = 0; t < TILES; t++) {
+        gather_columns(plate->grid.nodes, &x[t * columns], in);
+        gather_stiffness(plate, &factor[t * TILE * shells], stiffness);
+        sum_bonds(plate, stiffness, in, &y[t * columns]);
+    }
+done:
+    pdmc_free(stiffness);
+    pdmc_free(in);
+    return status;
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bond/bond.h"
+#include "bond/point.h"
+#include "discretisation/interaction.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+// The node at x, or -1.
+static int node_at(const pdmc_bond_grid *grid, const double x[2])
+{
+    const double column = (x[0] - grid->origin[0]) / grid->spacing, row = (x[1] - grid->origin[1]) / grid->spacing;
+    const double tolerance = 1e-9;
+    if (fabs(column - round(column)) > tolerance || fabs(row - round(row)) > tolerance) return -1;
+    if (round(column) < 0.0 || round(column) >= grid->columns || round(row) < 0.0 || round(row) >= grid->rows) return -1;
+    return (int)lround(row) * grid->columns + (int)lround(column);
+}
+
+pdmc_status pdmc_bond_displacement(const pdmc_bond *bond, const double x[2], const double anchor[2], double u[2])
+{
+    const pdmc_bond_grid *grid = &bond->plate.grid;
+    const int node = anchor[0] == x[0] && anchor[1] == x[1] ? node_at(grid, x) : -1;
+    if (node >= 0) {
+        memcpy(u, &bond->mean[2 * node], 2 * sizeof *u);
+        return PDMC_OK;
+    }
+    pdmc_bond_point point;
+    const pdmc_status status = pdmc_bond_point_at(bond->problem, grid, x, anchor, &point);
+    u[0] = u[1] = 0.0;
+    for (int k = 0; status == PDMC_OK && k < point.count; k++)
+        for (int i = 0; i < 2; i++) u[i] += point.value[k] * bond->mean[2 * point.node[k] + i];
+    return status;
+}
+
+static pdmc_status gradient_at(const void *method, const double x[2], int *count, int node[], double by_x[],
+                               double by_y[])
+{
+    const pdmc_bond *bond = method;
+    pdmc_bond_point point;
+    const pdmc_status status = pdmc_bond_point_at(bond->problem, &bond->plate.grid, x, x, &point);
+    if (status != PDMC_OK) return status;
+    *count = point.count;
+    memcpy(node, point.node, (size_t)point.count * sizeof *node);
+    memcpy(by_x, point.by_x, (size_t)point.count * sizeof *by_x);
+    memcpy(by_y, point.by_y, (size_t)point.count * sizeof *by_y);
+    return PDMC_OK;
+}
+
+// Beyond two horizons the field is that of local elasticity, and the half length is where the contour has most room.
+pdmc_status pdmc_bond_stress_intensity_rows(const pdmc_bond *bond, int tip, double row_1[], double row_2[])
+{
+    const pdmc_problem *problem = bond->problem;
+    const pdmc_crack *crack = &problem->cracks[tip / 2];
+    const double half_length = 0.5 * hypot(crack->to[0] - crack->from[0], crack->to[1] - crack->from[1]);
+    const pdmc_gradient_functional functional = {PDMC_BOND_POINT_NODES, bond, gradient_at};
+    const double radius = pdmc_interaction_radius(problem, tip, fmax(half_length, 2.0 * problem->solver.horizon));
+    return pdmc_interaction_rows(problem, tip, radius, &functional, row_1, row_2);
+}
+
+pdmc_status pdmc_bond_tip(const pdmc_bond *bond, int tip, pdmc_tip *out)
+{
+    const pdmc_problem *problem = bond->problem;
+    PDMC_REQUIRE(0 <= tip && tip < 2 * problem->crack_count, "tip %d: there are %d", tip, 2 * problem->crack_count);
+    pdmc_status status = PDMC_OK;
+    const int n = bond->unknowns;
+    const pdmc_tip_frame frame = pdmc_tip_frame_of(problem, tip);
+    double *row = NULL;
+    PDMC_NEW(row, 2 * n);
+    PDMC_TRY(pdmc_bond_stress_intensity_rows(bond, tip, row, row + n));
+    snprintf(out->name, sizeof out->name, "%s.%s", problem->cracks[tip / 2].name, tip % 2 ? "to" : "from");
+    for (int k = 0; k < 2; k++) {
+        out->position[k] = frame.position[k];
+        out->stress_intensity[k] = cblas_ddot(n, row + k * n, 1, bond->mean, 1);
+    }
+    out->direction = atan2(frame.sine + 0.0, frame.cosine); // no -0, which would be -pi
+    out->t_stress = NAN;
+done:
+    pdmc_free(row);
+    return status;
+}
