@@ -20,8 +20,8 @@ static const char *short_label(const pdmc_comparison *c, int which)
     return strcmp(names[0], names[1]) == 0 ? c->labels[which] : names[which];
 }
 
-/// Sets the axes to where the densities of both end, and lets energies begin with 0 unless they are far from it; returns
-/// the largest energy.
+/// Sets the axes to where the densities of both end, and lets energies begin with 0 unless they are far from it.
+/// Returns the largest energy.
 static double put_ranges(const pdmc_comparison *c, const pdmc_compared_angle *angle, FILE *script)
 {
     double top = 0.0, left = INFINITY, right = -INFINITY;
