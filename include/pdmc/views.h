@@ -40,8 +40,9 @@ typedef struct {
 /// Two results side by side, and the distances of their distributions.
 typedef struct pdmc_comparison pdmc_comparison;
 
-/// Compares two results. Tips go by their names. Where seeds and numbers of samples are equal, sample i of both is drawn
-/// with the same random numbers, and samples are compared as pairs; see pdmc_statistics_distances(), _means(), _pairs().
+/// Compares two results. Tips go by their names. Where seeds and numbers of samples are equal, sample i of both is
+/// drawn with the same random numbers, and samples are compared as pairs; see pdmc_statistics_distances(), _means() and
+/// _pairs().
 /// @param[in]  first, second  must outlive the comparison
 /// @param[out] comparison     free with pdmc_comparison_destroy()
 /// @return PDMC_OK, PDMC_ERR_DATA (different units, dynamic with static, no tip in common), PDMC_ERR_ARG (a tip or an
@@ -64,6 +65,7 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_view_comparison_table(const pdmc_compar
 /// @return PDMC_OK, PDMC_ERR_IO, or PDMC_ERR_NOMEM
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_view_comparison_json(const pdmc_comparison *comparison, FILE *stream);
 
-/// For each tip the probability densities of both, a panel an angle, as compare_<tip>_<measure>.png and .svg in a folder,
-/// as pdmc_view_plot().
+/// For each tip the probability densities of both, a panel an angle, as compare_<tip>_<measure>.png and .svg in a
+/// folder that is made if it is missing. Older ones are replaced. A tip or file without densities has no picture.
+/// @return as pdmc_view_plot()
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_view_comparison_plot(const pdmc_comparison *comparison, const char *folder);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// What the objects of JSON are made of. Whatever is NULL for want of memory makes the object that takes it fail, and with
-/// it the whole.
+/// What the objects of JSON are made of. Whatever is NULL for want of memory makes the object that takes it fail, and
+/// with it the whole.
 
 #include "views/views_impl.h"
 

@@ -8,8 +8,8 @@
 /// Probability densities of an energy straight ahead of a tip and 45 degrees off.
 void pdmc_draw_density(const pdmc_results *r, int tip, pdmc_measure measure, const pdmc_figure *figure);
 
-/// The data block $density<block>: energy, density and its bounds, as steps from edge to edge, two points a bin, and down
-/// to zero at both ends.
+/// The data block $density<block>: energy, density and its bounds, as steps from edge to edge, two points a bin, and
+/// down to zero at both ends.
 void pdmc_draw_steps(const pdmc_results *r, pdmc_measure measure, size_t at, int block, FILE *script);
 
 /// Quantiles of an energy round a tip.
