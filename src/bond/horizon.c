@@ -13,30 +13,29 @@ enum { MOST_SPACINGS = 100 };
 // nothing, within these.
 static const double edge_slack = 1e-9, least_share = 1e-14;
 
-// The area of a cell as it counts, and the end of its bond.
-static double counted_area(const pdmc_solver_options *solver, const double middle[2], double end[2])
+// The area of a cell as it counts, and the length that the energy of its bond has.
+static double counted_area(const pdmc_solver_options *solver, const double middle[2], double *energy_length)
 {
     const double h = solver->spacing, full = h * h, r = hypot(middle[0], middle[1]);
-    end[0] = middle[0];
-    end[1] = middle[1];
+    *energy_length = r;
     if (solver->area == PDMC_AREA_FULL) return r <= solver->horizon * (1.0 + edge_slack) ? full : 0.0;
     if (solver->area == PDMC_AREA_PARTIAL) return full * fmin(fmax((solver->horizon - r) / h + 0.5, 0.0), 1.0);
     const pdmc_cell_part part = pdmc_cell_in_disc(middle, h, solver->horizon);
     if (solver->area == PDMC_AREA_CENTROID && part.area > least_share * full)
-        for (int i = 0; i < 2; i++) end[i] = part.moment[i] / part.area;
+        *energy_length = hypot(part.moment[0], part.moment[1]) / part.area;
     return part.area;
 }
 
 // Of the eight neighbours that symmetry makes equal, the one with column >= row >= 0 stands for the shell.
 static bool make_bond(const pdmc_problem *problem, int column, int row, pdmc_bond_neighbour *bond)
 {
-    const double h = problem->solver.spacing, middle[2] = {column * h, row * h};
-    double end[2];
-    const double area = counted_area(&problem->solver, middle, end), length = hypot(end[0], end[1]);
+    const double h = problem->solver.spacing, middle[2] = {column * h, row * h}, r = hypot(middle[0], middle[1]);
+    double energy_length;
+    const double area = counted_area(&problem->solver, middle, &energy_length);
     if (area <= least_share * h * h) return false;
-    *bond = (pdmc_bond_neighbour){.column = column, .row = row, .length = length, .area = area};
-    for (int i = 0; i < 2; i++) bond->direction[i] = end[i] / length;
-    bond->stiffness = pdmc_micromodulus(&problem->material, problem->solver.horizon) * area / length;
+    *bond = (pdmc_bond_neighbour){.column = column, .row = row, .length = r, .area = area};
+    for (int i = 0; i < 2; i++) bond->direction[i] = middle[i] / r;
+    bond->stiffness = pdmc_micromodulus(&problem->material, problem->solver.horizon) * area * energy_length / (r * r);
     return true;
 }
 

@@ -51,7 +51,7 @@ static void fill_column(const pdmc_bond_plate *plate, const double factor[], int
         const int partner = families->partner[b];
         double block[3];
         bond_block(plate, factor, node, b, block);
-        matrix->value[first] += block[2 * component];
+        matrix->value[first] += block[component == 0 ? 0 : 2];
         if (has_coupling) matrix->value[first + 1] += block[1];
         for (int i = 0; i < 2; i++) {
             if (partner < node || is_held(plate, partner, i)) continue;

@@ -2,23 +2,22 @@
 #include "bond/stiffness.h"
 #include "pdmc/affine.h"
 
-// The columns are worked on TILE at a time, node by node, so that one instruction does the same for several of them.
-enum { TILE = 32, TILES = PDMC_BLOCK / TILE };
+// The columns are worked on TILE at a time, node by node, so that one instruction does the same for all of them.
+enum { TILE = 8, TILES = PDMC_BLOCK / TILE };
+
+typedef double tile __attribute__((vector_size(TILE * sizeof(double))));
 
 typedef struct {
-    double u[2][TILE];
+    tile u[2];
 } tile_vector;
 
-typedef struct {
-    double factor[TILE];
-} tile;
-
-// The widest vectors of the processor at hand. All do the same operations in the same order, without contraction, so
-// that the results do not depend on it. Sanitizers instrument what chooses among them before they are ready.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define WIDEST_VECTORS __attribute__((target_clones("default", "arch=x86-64-v4")))
+// A version for processors with vectors as long as a tile, chosen when the library is loaded: twice as fast. It does
+// the same operations in the same order, without contraction, so that the results do not depend on it. None for AVX2:
+// gcc 12 splits tiles into its vectors through memory, which is slower than SSE2.
+#if defined(__x86_64__) && defined(__gnu_linux__)
+#define LONGEST_VECTORS __attribute__((target_clones("default", "avx512f")))
 #else
-#define WIDEST_VECTORS
+#define LONGEST_VECTORS
 #endif
 
 static void gather_columns(int nodes, const double x[], tile_vector in[])
@@ -37,36 +36,32 @@ static void gather_stiffness(const pdmc_bond_plate *plate, const double factor[]
     for (int k = 0; k < horizon->count; k++) {
         const pdmc_bond_neighbour *n = &horizon->neighbour[k];
         for (int c = 0; c < TILE; c++)
-            stiffness[n->shell].factor[c] = area * n->stiffness * factor[c * horizon->shells + n->shell];
+            stiffness[n->shell][c] = area * n->stiffness * factor[c * horizon->shells + n->shell];
     }
 }
 
 // sum_j k e e . (u_i - u_j) of each node, in the order of its bonds
-WIDEST_VECTORS
+LONGEST_VECTORS
 static void sum_bonds(const pdmc_bond_plate *plate, const tile stiffness[], const tile_vector in[], double y[])
 {
     const pdmc_bond_families *families = &plate->families;
     const size_t nodes = (size_t)plate->grid.nodes, unknowns = 2 * nodes;
     for (size_t node = 0; node < nodes; node++) {
-        const tile_vector *here = &in[node];
-        tile_vector sum = {0};
+        const tile u = in[node].u[0], v = in[node].u[1];
+        tile sum[2] = {{0.0}, {0.0}};
         for (size_t b = families->start[node]; b < families->start[node + 1]; b++) {
             const pdmc_bond_neighbour *n = &plate->horizon.neighbour[families->neighbour[b]];
             const int partner = families->partner[b];
             const double scale = 0.5 * (families->scale[node] + families->scale[partner]);
             const double e[2] = {n->direction[0], n->direction[1]}, pull[2] = {scale * e[0], scale * e[1]};
-            const tile_vector *there = &in[partner];
-            const double *k = stiffness[n->shell].factor;
-            for (int c = 0; c < TILE; c++) {
-                const double du = here->u[0][c] - there->u[0][c], dv = here->u[1][c] - there->u[1][c];
-                const double force = k[c] * (du * e[0] + dv * e[1]);
-                sum.u[0][c] += pull[0] * force;
-                sum.u[1][c] += pull[1] * force;
-            }
+            const tile elongation = (u - in[partner].u[0]) * e[0] + (v - in[partner].u[1]) * e[1];
+            const tile force = stiffness[n->shell] * elongation;
+            sum[0] += pull[0] * force;
+            sum[1] += pull[1] * force;
         }
         for (size_t i = 0; i < 2; i++) {
             const bool is_held = plate->grid.held[node] & (1U << i);
-            for (size_t c = 0; c < TILE; c++) y[c * unknowns + 2 * node + i] = is_held ? 0.0 : sum.u[i][c];
+            for (size_t c = 0; c < TILE; c++) y[c * unknowns + 2 * node + i] = is_held ? 0.0 : sum[i][c];
         }
     }
 }
