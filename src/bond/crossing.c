@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bond/crossing.h"
 
-#include "pdmc/geometry.h"
-
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <string.h>
@@ -21,26 +19,35 @@ double pdmc_bond_crossing_bias(const pdmc_problem *problem, const pdmc_bond_hori
 
 typedef struct {
     const pdmc_bond *bond;
-    double line[2][2];
-    double scale; // 1 / (delta_alpha R c_0)
+    double tip[2], direction[2], extension; // of the line
+    double scale;                           // 1 / (delta_alpha R c_0)
     int capacity;
     pdmc_crossing *crossing;
 } collector;
 
-// The share of crossings among the four lines shifted a little along and across themselves.
+// Cuts the share [t[0], t[1]] of a bond down to where low <= start + t step <= high.
+static void clip(double start, double step, double low, double high, double t[2])
+{
+    if (step == 0.0) {
+        if (start < low || start > high) t[1] = t[0];
+        return;
+    }
+    const double a = (low - start) / step, b = (high - start) / step;
+    t[0] = fmax(t[0], fmin(a, b));
+    t[1] = fmin(t[1], fmax(a, b));
+}
+
+// The share of the strip that the bond crosses. In the line's frame a bond begins at p and goes by q.
 static double share_of_crossings(const collector *c, const double a[2], const double b[2])
 {
-    const double d[2] = {c->line[1][0] - c->line[0][0], c->line[1][1] - c->line[0][1]};
-    const double along = 1e-6 * c->bond->plate.grid.spacing / hypot(d[0], d[1]), across = 0.7 * along; // apart, so that no lattice line holds both
-    int crossings = 0;
-    for (int s = 0; s < 4; s++) {
-        const double t = s % 2 ? along : -along, n = s / 2 ? across : -across;
-        const double move[2] = {t * d[0] - n * d[1], t * d[1] + n * d[0]};
-        const double p[2] = {c->line[0][0] + move[0], c->line[0][1] + move[1]};
-        const double q[2] = {c->line[1][0] + move[0], c->line[1][1] + move[1]};
-        crossings += pdmc_segments_cross(a, b, p, q);
-    }
-    return 0.25 * crossings;
+    const double h = c->bond->plate.grid.spacing, *d = c->direction;
+    const double p[2] = {d[0] * (a[0] - c->tip[0]) + d[1] * (a[1] - c->tip[1]),
+                         d[0] * (a[1] - c->tip[1]) - d[1] * (a[0] - c->tip[0])};
+    const double q[2] = {d[0] * (b[0] - a[0]) + d[1] * (b[1] - a[1]), d[0] * (b[1] - a[1]) - d[1] * (b[0] - a[0])};
+    double t[2] = {0.0, 1.0};
+    clip(p[0], q[0], 0.0, c->extension, t);
+    clip(p[1], q[1], -0.5 * h, 0.5 * h, t);
+    return t[1] > t[0] ? (t[1] - t[0]) * fabs(q[1]) / h : 0.0;
 }
 
 static pdmc_status make_room(collector *c)
@@ -115,7 +122,8 @@ static pdmc_status collect(collector *c)
     int first[2], last[2];
     const int most[2] = {grid->columns - 1, grid->rows - 1};
     for (int k = 0; k < 2; k++) {
-        const double low = fmin(c->line[0][k], c->line[1][k]) - reach, high = fmax(c->line[0][k], c->line[1][k]) + reach;
+        const double end = c->tip[k] + c->extension * c->direction[k];
+        const double low = fmin(c->tip[k], end) - reach, high = fmax(c->tip[k], end) + reach;
         first[k] = (int)fmax(ceil((low - grid->origin[k]) / grid->spacing), 0.0);
         last[k] = (int)fmin(floor((high - grid->origin[k]) / grid->spacing), most[k]);
     }
@@ -135,8 +143,9 @@ pdmc_status pdmc_bond_crossing_create(const pdmc_bond *bond, int tip, double phi
     const double bias = pdmc_bond_crossing_bias(problem, &bond->plate.horizon, phi);
     collector c = {
         .bond = bond,
-        .line = {{position[0], position[1]},
-                 {position[0] + extension * cos(phi), position[1] + extension * sin(phi)}},
+        .tip = {position[0], position[1]},
+        .direction = {cos(phi), sin(phi)},
+        .extension = extension,
         .scale = 1.0 / (extension * bias * pdmc_micromodulus(&problem->material, problem->solver.horizon)),
         .crossing = crossing,
     };

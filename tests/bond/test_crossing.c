@@ -55,10 +55,66 @@ static void the_bias_falls_with_the_horizon(void **state)
     }
 }
 
+// Of a stretch by 1 everywhere, on a whole plate: the part of G_0 that a line of `length` spacings finds at (x, y)
+// spacings from the middle of a cell.
+static double found(pdmc_bond *bond, pdmc_problem *problem, double x, double y, double length, double phi)
+{
+    const double h = problem->solver.spacing, delta = problem->solver.horizon;
+    double sum = 0.0;
+    pdmc_crossing crossing;
+    problem->cracks[0].to[0] = (0.5 + x) * h;
+    problem->cracks[0].to[1] = (0.5 + y) * h;
+    problem->energy.extension = length * h;
+    CHECK_OK(pdmc_bond_crossing_create(bond, 1, phi, &crossing));
+    for (int b = 0; b < crossing.bonds; b++) {
+        double stretch = 0.0, at[2];
+        for (int k = 0; k < PDMC_BOND_ENDS; k++) {
+            const int unknown = crossing.column[b * PDMC_BOND_ENDS + k];
+            pdmc_bond_grid_node(&bond->plate.grid, unknown / 2, at);
+            stretch += crossing.row[b * PDMC_BOND_ENDS + k] * at[unknown % 2];
+        }
+        sum += gsl_pow_2(stretch);
+    }
+    pdmc_free(crossing.row);
+    pdmc_free(crossing.column);
+    pdmc_free(crossing.ring);
+    return sum / (0.5 * gsl_pow_4(delta)); // 1/2 c_0 sum against 1/4 c_0 delta^4
+}
+
+// Wherever the line lies and whatever its direction it finds the same energy, the better the longer it is: its ends are
+// what is left. Kinds of area in which bonds have the nodes' distances, so that the stretch is exactly uniform.
+static void a_uniform_stretch_is_found(void **state)
+{
+    (void)state;
+    const double ratio[3] = {3.0, 5.0, 8.0}, length[3] = {1.0, 2.0, 4.0};
+    double worst[3][3] = {{0.0}};
+    for (int i = 0; i < 3; i++) {
+        pdmc_problem problem = plate(ratio[i], PDMC_AREA_EXACT);
+        pdmc_bond *bond;
+        problem.crack_count = 0; // the line needs a tip, the bonds no crack
+        CHECK_OK(pdmc_bond_create(&problem, 1, &bond));
+        problem.crack_count = 1;
+        for (int j = 0; j < 3; j++)
+            for (int k = 0; k < 100; k++) {
+                const double x = fmod(0.618 * k, 1.0), y = fmod(0.755 * k, 1.0), phi = 2.0 * M_PI * fmod(0.57 * k, 1.0);
+                const double error = found(bond, &problem, x, y, length[j], phi) - 1.0;
+                worst[i][j] = fmax(worst[i][j], fabs(error));
+            }
+        print_message("horizon %g spacings: a line of 1, 2, 4 spacings is off by at most %.4f %.4f %.4f\n", ratio[i],
+                      worst[i][0], worst[i][1], worst[i][2]);
+        pdmc_bond_destroy(&bond);
+    }
+    for (int i = 0; i < 3; i++) {
+        assert_true(worst[i][2] < 0.5 * worst[i][0]);
+        assert_true(worst[i][1] < 0.1);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_bias_falls_with_the_horizon),
+        cmocka_unit_test(a_uniform_stretch_is_found),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
