@@ -73,6 +73,42 @@ static void add_load(pdmc_bond *bond, const pdmc_load *load)
     }
 }
 
+static bool is_at_edge(const pdmc_bond_grid *grid, int node)
+{
+    const int column = node % grid->columns, row = node / grid->columns;
+    return column == 0 || column == grid->columns - 1 || row == 0 || row == grid->rows - 1;
+}
+
+// The sum over the nodes at the edges of the product of two fields, one of them a rigid motion.
+static double edge_product(const pdmc_bond_grid *grid, const double motion[3], const double x[], const double other[3])
+{
+    double sum = 0.0;
+    for (int k = 0; k < 2 * grid->nodes; k++)
+        if (is_at_edge(grid, k / 2)) sum += rigid(grid, motion, k) * (x ? x[k] : rigid(grid, other, k));
+    return sum;
+}
+
+// Takes out of a solution the rigid motions that nothing holds: their mean over the nodes at the edges becomes zero.
+static pdmc_status take_out_rigid_motions(const pdmc_bond *bond, double x[])
+{
+    const pdmc_bond_grid *grid = &bond->plate.grid;
+    int count;
+    double motion[3][3];
+    const pdmc_status status = pdmc_problem_free_motions(bond->problem, &count, motion);
+    if (status != PDMC_OK) return status;
+    for (int m = 0; m < count; m++) {
+        for (int j = 0; j < m; j++) { // Gram & Schmidt
+            const double share = edge_product(grid, motion[j], NULL, motion[m]);
+            for (int i = 0; i < 3; i++) motion[m][i] -= share * motion[j][i];
+        }
+        const double size = sqrt(edge_product(grid, motion[m], NULL, motion[m]));
+        for (int i = 0; i < 3; i++) motion[m][i] /= size;
+        const double part = edge_product(grid, motion[m], x, NULL);
+        for (int k = 0; k < bond->unknowns; k++) x[k] -= part * rigid(grid, motion[m], k);
+    }
+    return PDMC_OK;
+}
+
 static pdmc_status factor_mean(pdmc_bond *bond)
 {
     pdmc_status status = PDMC_OK;
@@ -143,6 +179,7 @@ static pdmc_status solve_mean(pdmc_bond *bond)
         PDMC_TRY(pdmc_bond_solve(bond, bond->factor, factor, scale, bond->solution[l]));
         cblas_daxpy(n, 1.0, bond->solution[l], 1, bond->mean, 1);
     }
+    PDMC_TRY(take_out_rigid_motions(bond, bond->mean));
     PDMC_TRY(pdmc_bond_product(bond, factor, bond->mean, force));
     for (int k = 0; k < n; k++)
         bond->residual = fmax(bond->residual, fabs(force[k] - bond->load[k]) / bond->plate.grid.spacing);

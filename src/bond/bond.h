@@ -15,7 +15,7 @@ typedef struct {
     pdmc_bond_factor *factor; // of the mean operator
     double *load;             // [unknowns] force / thickness of the tractions; 0 where held
     double *solution[2];      // [unknowns] answers to the prescribed displacements, and to the tractions
-    double *mean;             // [unknowns] their sum
+    double *mean;             // [unknowns] their sum, without rigid motions that nothing holds
     double residual;          // largest of the mean, force / length^2
     double assembly_seconds, factorisation_seconds;
 } pdmc_bond;

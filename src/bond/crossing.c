@@ -37,6 +37,14 @@ static void clip(double start, double step, double low, double high, double t[2]
     t[1] = fmin(t[1], fmax(a, b));
 }
 
+// A bond across the line is before an end of the strip or behind it, or on it: then a half, as of its neighbours in phi,
+// and not what rounding makes of it.
+static double share_between_ends(double along, double extension, double tiny)
+{
+    if (along < -tiny || along > extension + tiny) return 0.0;
+    return along < tiny || along > extension - tiny ? 0.5 : 1.0;
+}
+
 // The share of the strip that the bond crosses. In the line's frame a bond begins at p and goes by q.
 static double share_of_crossings(const collector *c, const double a[2], const double b[2])
 {
@@ -44,10 +52,12 @@ static double share_of_crossings(const collector *c, const double a[2], const do
     const double p[2] = {d[0] * (a[0] - c->tip[0]) + d[1] * (a[1] - c->tip[1]),
                          d[0] * (a[1] - c->tip[1]) - d[1] * (a[0] - c->tip[0])};
     const double q[2] = {d[0] * (b[0] - a[0]) + d[1] * (b[1] - a[1]), d[0] * (b[1] - a[1]) - d[1] * (b[0] - a[0])};
-    double t[2] = {0.0, 1.0};
-    clip(p[0], q[0], 0.0, c->extension, t);
+    const double tiny = 1e-9 * h;
+    double t[2] = {0.0, 1.0}, between = 1.0;
+    if (fabs(q[0]) < tiny) between = share_between_ends(p[0], c->extension, tiny);
+    else clip(p[0], q[0], 0.0, c->extension, t);
     clip(p[1], q[1], -0.5 * h, 0.5 * h, t);
-    return t[1] > t[0] ? (t[1] - t[0]) * fabs(q[1]) / h : 0.0;
+    return t[1] > t[0] ? between * (t[1] - t[0]) * fabs(q[1]) / h : 0.0;
 }
 
 static pdmc_status make_room(collector *c)

@@ -2,6 +2,7 @@
 #include "pdmc/run.h"
 
 #include "pdmc/fracture.h"
+#include "run/cost_bond.h"
 
 #include <math.h>
 
@@ -134,6 +135,7 @@ static double bytes_at_most(const amounts *a, double file)
 
 pdmc_cost pdmc_run_cost(const pdmc_problem *problem, int threads)
 {
+    if (problem->solver.method == PDMC_METHOD_BOND) return pdmc_bond_cost(problem, threads);
     const amounts a = count_all(problem, threads);
     const pdmc_uncertainty *noise = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_MICROMODULUS);
     const double file = bytes_of_results(&a, noise ? noise->bins : 0.0, problem->probe_count);
