@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// Studies by bonds, from the file to the results.
+
+#include "run/studies.h"
+
+#include "kansa/boundary_collocation.h"
+
+static void read_bond_study(const char *sampling, pdmc_study *study)
+{
+    char text[2048];
+    snprintf(text, sizeof text,
+             "plate = { width = 4.0; height = 4.0; };\n"
+             "material = { youngs_modulus = 1.5; fracture_energy = 2.0; };\n"
+             "cracks = ( { name = \"c\"; from = [-0.5, 0.0]; to = [0.5, 0.0]; } );\n"
+             "loads = ( { side = \"top\"; traction = [0, 1]; }, { side = \"bottom\"; traction = [0, -1]; } );\n"
+             "solver = { method = \"bond\"; spacing = 0.1; horizon_ratio = 3; };\n"
+             "random = ( " BOTH " );\nsampling = { %s };\nenergy = { angles = 8; extension = 0.1; };\n",
+             sampling);
+    CHECK_OK(read_text(text, study));
+}
+
+static void run_bond_study(const char *sampling, int threads, pdmc_results *results)
+{
+    pdmc_study study;
+    const pdmc_run_options options = {.threads = threads};
+    read_bond_study(sampling, &study);
+    CHECK_OK(pdmc_run(&study, &options, results));
+    pdmc_study_clear(&study);
+}
+
+static void threads_change_nothing(void **state)
+{
+    (void)state;
+    const char *samplings[] = {"samples = 150; inverse = \"neumann\";", "samples = 150; inverse = \"krylov\";",
+                               "samples = 20; inverse = \"direct\";"};
+    for (int i = 0; i < 3; i++) {
+        pdmc_results one, more;
+        run_bond_study(samplings[i], 1, &one);
+        for (int threads = 2; threads <= 3; threads++) {
+            run_bond_study(samplings[i], threads, &more);
+            assert_same_samples(&one, &more, one.sample_count);
+            pdmc_results_clear(&more);
+        }
+        pdmc_results_clear(&one);
+    }
+}
+
+// The numbers behind sample i are those of any other method with the same seed.
+static void samples_are_those_of_the_collocation(void **state)
+{
+    (void)state;
+    pdmc_results bonds, kansa;
+    const pdmc_run_options options = {.threads = 1};
+    run_bond_study("samples = 20;", 1, &bonds);
+    run_study(ONE_CRACK, BOTH, "samples = 20;", &options, &kansa);
+    assert_same("load_factor", bonds.load_factor, kansa.load_factor, 20 * sizeof(double));
+    assert_same("micromodulus", bonds.micromodulus, kansa.micromodulus, 20 * 100 * sizeof(double));
+    pdmc_results_clear(&bonds);
+    pdmc_results_clear(&kansa);
+}
+
+static void the_cost_counts_the_nodes(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    read_bond_study("samples = 100;", &study);
+    const pdmc_cost cost = pdmc_run_cost(&study.problem, 1);
+    assert_int_equal(cost.nodes, 1600);
+    assert_int_equal(cost.unknowns, 3200);
+    study.problem.sampling.inverse = PDMC_INVERSE_DIRECT;
+    assert_true(pdmc_run_cost(&study.problem, 1).seconds > cost.seconds);
+    assert_true(pdmc_run_cost(&study.problem, 2).seconds < pdmc_run_cost(&study.problem, 1).seconds);
+    pdmc_study_clear(&study);
+}
+
+// 10 cells a crack, 3 spacings a horizon, and edges that lack bonds: K within 3 % of the local limit, as measured, and
+// its error said to be of that size.
+static void stress_intensity_is_near_the_local_limit(void **state)
+{
+    (void)state;
+    pdmc_results results;
+    reference local;
+    reference_solve(&local, 4.0, 0.5, 0.0);
+    run_bond_study("samples = 1;", 1, &results);
+    for (int t = 0; t < 2; t++) {
+        const pdmc_tip *tip = &results.tips[t];
+        print_message("K_I %.4f +- %.4f, local limit %.4f\n", tip->stress_intensity[0], tip->stress_intensity_error[0],
+                      local.K[0]);
+        CHECK_NEAR(tip->stress_intensity[0], local.K[0], 0.03 * local.K[0]);
+        CHECK_NEAR(tip->stress_intensity[1], 0.0, 1e-6);
+        assert_true(tip->stress_intensity_error[0] < 0.05);
+    }
+    pdmc_results_clear(&results);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(threads_change_nothing),
+        cmocka_unit_test(samples_are_those_of_the_collocation),
+        cmocka_unit_test(the_cost_counts_the_nodes),
+        cmocka_unit_test(stress_intensity_is_near_the_local_limit),
+    };
+    return cmocka_run_group_tests(tests, enter_folder, leave_folder);
+}
