@@ -110,11 +110,34 @@ static void a_uniform_stretch_is_found(void **state)
     }
 }
 
+// A line along the grid that begins beside a node has bonds that run along the end of its strip; whether they
+// count is not left to rounding, as it was: what is found does not jump with the direction.
+static void bonds_along_the_ends_count_a_half(void **state)
+{
+    (void)state;
+    pdmc_problem problem = plate(5.0, PDMC_AREA_FULL);
+    pdmc_bond *bond;
+    problem.crack_count = 0;
+    CHECK_OK(pdmc_bond_create(&problem, 1, &bond));
+    problem.crack_count = 1;
+    const double ahead = found(bond, &problem, 0.0, 0.5, 1.5, 0.0);
+    const double upward = found(bond, &problem, 0.5, 0.0, 1.5, M_PI_2);
+    for (int quarter = 0; quarter < 4; quarter++)
+        for (int turn = -1; turn <= 1; turn++) {
+            const double phi = quarter * M_PI_2 + 1e-6 * turn;
+            const double x = quarter % 2 ? 0.5 : 0.0, want = quarter % 2 ? upward : ahead;
+            CHECK_NEAR(found(bond, &problem, x, 0.5 - x, 1.5, phi), want, 1e-5);
+        }
+    CHECK_NEAR(ahead, upward, 1e-12);
+    pdmc_bond_destroy(&bond);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_bias_falls_with_the_horizon),
         cmocka_unit_test(a_uniform_stretch_is_found),
+        cmocka_unit_test(bonds_along_the_ends_count_a_half),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
