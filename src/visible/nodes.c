@@ -8,12 +8,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double growth = 0.15;    // of the spacing with the distance from a crack
-static const double accepted = 0.82;  // distance of two nodes of the inside in spacings, before the repulsion
+static const double growth = 0.12;    // of the spacing with the distance from a crack
+static const double accepted = 0.80;  // distance of two nodes of the inside in spacings, before the repulsion
 static const double clearance = 0.75; // ... of one from those on sides and faces
 static const double away = 0.5;       // the least distance from cracks and sides in spacings, afterwards
 
-enum { REPULSIONS = 60, NEIGHBOURS = 9 };
+enum { REPULSIONS = 5, NEIGHBOURS = 9 };
 
 // What the making of nodes needs.
 typedef struct {
@@ -153,7 +153,9 @@ static pdmc_status fill_inside(maker *m)
     return status;
 }
 
-// A step away from the neighbours, which push as 1 / distance^4; at most 0.08 h and smaller with every pass.
+// A step away from the neighbours, which push as 1 / distance^4; at most 0.08 h and smaller with every pass. Distances
+// are measured in the mean spacing of the two nodes, or all would drift from where nodes are dense. A few passes only:
+// the more regular the nodes, the larger the errors of the stencils (0.4 % of an opening after 5, 1.1 % after 60).
 static void repel(const maker *m, int i, double fade, double moved[2])
 {
     const pdmc_visible_node *node = &m->nodes->node[i];
@@ -163,8 +165,9 @@ static void repel(const maker *m, int i, double fade, double moved[2])
     const int found = pdmc_grid_nearest(&m->nodes->grid, x, NEIGHBOURS, NULL, NULL, neighbour, distance);
     for (int k = 0; k < found; k++) {
         if (neighbour[k] == i) continue;
-        const double r = sqrt(distance[k]), push = pow(h / r, 4) / r;
-        for (int d = 0; d < 2; d++) force[d] += push * (x[d] - m->nodes->node[neighbour[k]].view.x[d]);
+        const pdmc_visible_node *other = &m->nodes->node[neighbour[k]];
+        const double r = sqrt(distance[k]), push = pow(0.5 * (h + other->spacing) / r, 4) / r;
+        for (int d = 0; d < 2; d++) force[d] += push * (x[d] - other->view.x[d]);
     }
     const double size = hypot(force[0], force[1]), step = 0.08 * h * fade * fmin(1.0, 1.0 / fmax(size, 1e-12));
     const double to[2] = {x[0] + step * force[0], x[1] + step * force[1]};

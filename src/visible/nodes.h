@@ -3,7 +3,7 @@
 
 /// The nodes of the plate, graded towards the cracks.
 ///
-/// The spacing is h(x) = min(spacing, h_f + 0.15 max(d(x) - max(delta / 2, 3 h_f), 0)), h_f = delta / refinement, d the
+/// The spacing is h(x) = min(spacing, h_f + 0.12 max(d(x) - max(delta / 2, 3 h_f), 0)), h_f = delta / refinement, d the
 /// distance to the nearest crack: the field has a layer as wide as the horizon round every crack.
 
 #include "visible/grid.h"
@@ -25,7 +25,7 @@ typedef struct {
 
 /// Doubled nodes on the faces of the cracks, the last one half a spacing before the tip and none at it; two rings of
 /// nodes round every tip; nodes on the sides of the plate, none at its corners; the inside filled by greedy thinning of
-/// a low-discrepancy sequence and repulsion; and, with `ghosts`, a node outside for every one on a side. No random
+/// a low-discrepancy sequence and a little repulsion; and, with `ghosts`, a node outside for every one on a side. No random
 /// numbers.
 /// @param[out] nodes  free with pdmc_visible_nodes_clear(); zero on failure
 PDMC_NODISCARD pdmc_status pdmc_visible_nodes_create(const pdmc_problem *problem, const pdmc_cuts *cuts, bool ghosts,

@@ -31,7 +31,7 @@ static void nodes_keep_their_distance(void **state)
     plate p;
     pdmc_cuts cuts;
     pdmc_visible_nodes nodes;
-    int sides[2] = {0, 0}, ghosts = 0;
+    int sides[2] = {0, 0}, ghosts = 0, on_edge = 0;
     make_plate(&p, &cuts);
     CHECK_OK(pdmc_visible_nodes_create(&p.problem, &cuts, true, &nodes));
     assert_int_equal(nodes.count, nodes.grid.count);
@@ -43,9 +43,10 @@ static void nodes_keep_their_distance(void **state)
         if (node->view.crack < 0) assert_true(pdmc_cuts_distance(&cuts, node->view.x) > 0.4 * node->spacing);
         else sides[node->view.side > 0]++;
         ghosts += node->edge >= 0;
+        on_edge += node->edge < 0 && (fabs(node->view.x[0]) == 2.5 || fabs(node->view.x[1]) == 2.5);
     }
     assert_true(sides[0] == sides[1] && sides[0] >= 20);
-    assert_int_equal(ghosts, 80);
+    assert_true(ghosts == on_edge && ghosts >= 80); // 20 a side, more where a crack is near
     pdmc_visible_nodes_clear(&nodes);
     pdmc_cuts_clear(&cuts);
 }
