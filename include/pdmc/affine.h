@@ -35,6 +35,12 @@ typedef struct {
     pdmc_status (*multiply)(const pdmc_affine *model, const double xi[], const double x[], double y[]);
     pdmc_status (*precondition)(const pdmc_affine *model, const double r[], double z[]);
 
+    /// Z = K_0^-1/2 G, a root for which the covariance of Z is K_0^-1 where that of G is the identity; on the unknowns that
+    /// are not held, 0 on those. Where K is symmetric every K_m is positive semi-definite.
+    /// @param[in]  g  [PDMC_BLOCK, unknowns]
+    /// @param[out] z  [PDMC_BLOCK, unknowns]
+    pdmc_status (*color)(const pdmc_affine *model, const double g[], double z[]);
+
     /// Frees `discretisation`.
     void (*destroy)(void *discretisation);
 } pdmc_affine_verbs;
@@ -42,11 +48,11 @@ typedef struct {
 /// The energy release rate at one point of a circle round a tip in factored form:
 ///     G = 1/2 c_0 sum_q g_q sum_{bonds b of ring q} (row_b . x)^2,   g_q = sum_bins (c_bin / c_0)
 /// ring_weight[bin][q]. The sign of row_b . x is that of the bond's stretch. The rows are full, or have PDMC_BOND_ENDS
-/// values each: the displacements of the two nodes that a bond connects.
+/// values each: the displacements of the two nodes that a bond connects, among the unknowns or among the observed displacements.
 typedef struct {
     int bonds;
     double *row; // [bonds, unknowns], or [bonds, PDMC_BOND_ENDS] where there are columns
-    int *column; // [bonds, PDMC_BOND_ENDS] unknowns, or NULL
+    int *column; // [bonds, PDMC_BOND_ENDS], or NULL
     int *ring;   // [bonds]
 } pdmc_crossing;
 
@@ -64,6 +70,10 @@ struct pdmc_affine {
     int rings;
     double *ring_weight; // [bins, rings]
     pdmc_crossing *crossings; // [tips, angles]
+    /// |sqrt G(x + e) - sqrt G(x)| <= crossing_bound |e|, |e|^2 = e' K(xi) e, in every direction; 0 where that is not known.
+    double crossing_bound;
+    int observed;    // number of displacements that the crossings' columns count; 0: they count the unknowns
+    double *observe; // [observed, unknowns]
 
     const pdmc_affine_verbs *verbs;
     void *discretisation;

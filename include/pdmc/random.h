@@ -7,7 +7,11 @@
 #include "pdmc/problem.h"
 
 /// What a stream of numbers is for; streams of different purposes are independent.
-typedef enum { PDMC_STREAM_MICROMODULUS = 1, PDMC_STREAM_LOAD = 2 } pdmc_stream;
+typedef enum {
+    PDMC_STREAM_MICROMODULUS = 1,
+    PDMC_STREAM_LOAD = 2,
+    PDMC_STREAM_PROBES = 3 // of the error bound of a reduced model
+} pdmc_stream;
 
 /// Uniform numbers in the open interval (0, 1): the odd multiples of 2^-53, so that 1 - u is exact and as likely as u.
 /// (The half of a 53-bit cell has no double: its greatest would round to 1.)

@@ -44,6 +44,16 @@ static pdmc_status precondition(const pdmc_affine *model, const double r[], doub
     return pdmc_bond_factor_solve(bond_of(model)->factor, B, r, z);
 }
 
+static pdmc_status color(const pdmc_affine *model, const double g[], double z[])
+{
+    const pdmc_bond_grid *grid = &bond_of(model)->plate.grid;
+    const pdmc_status status = pdmc_bond_factor_color(bond_of(model)->factor, B, g, z);
+    for (int k = 0; k < model->unknowns && status == PDMC_OK; k++)
+        if (grid->held[k / 2] & (1U << (k % 2)))
+            for (int s = 0; s < B; s++) z[(size_t)s * (size_t)model->unknowns + (size_t)k] = 0.0;
+    return status;
+}
+
 static pdmc_status perturb(const pdmc_affine *model, const double xi[], const double x[], double y[])
 {
     const pdmc_status status = combine(model, 0.0, xi, x, y);
@@ -107,6 +117,7 @@ static pdmc_status fill_solutions(const pdmc_bond *bond, pdmc_affine *model)
                                             .solve = solve,
                                             .multiply = multiply,
                                             .precondition = precondition,
+                                            .color = color,
                                             .destroy = release};
     pdmc_status status = PDMC_OK;
     const size_t n = (size_t)bond->unknowns;
@@ -146,6 +157,18 @@ done:
     return status;
 }
 
+// The bonds that cross a line are a part of all, each with a weight of at most 1: G <= 1/2 e' K e / (delta_alpha R).
+static double bound_of_crossings(const pdmc_bond *bond)
+{
+    const pdmc_problem *problem = bond->problem;
+    double smallest = INFINITY;
+    for (int a = 0; a < problem->energy.angles; a++) {
+        const double phi = 2.0 * M_PI * a / problem->energy.angles;
+        smallest = fmin(smallest, pdmc_bond_crossing_bias(problem, &bond->plate.horizon, phi));
+    }
+    return 1.0 / sqrt(2.0 * problem->energy.extension * smallest);
+}
+
 pdmc_status pdmc_bond_affine(const pdmc_bond *bond, pdmc_affine *model)
 {
     pdmc_status status = PDMC_OK;
@@ -156,6 +179,7 @@ pdmc_status pdmc_bond_affine(const pdmc_bond *bond, pdmc_affine *model)
     PDMC_TRY(fill_solutions(bond, model));
     const double made = pdmc_seconds();
     PDMC_TRY(fill_crossings(bond, model));
+    model->crossing_bound = bound_of_crossings(bond);
     model->operator_seconds = made - start;
     model->energy_seconds = pdmc_seconds() - made;
 done:

@@ -12,7 +12,7 @@ struct pdmc_bond_factor {
 static void prepare(cholmod_common *common)
 {
     cholmod_l_start(common);
-    common->supernodal = CHOLMOD_SUPERNODAL; // of matrices this size ten times as fast as the other
+    common->supernodal = CHOLMOD_SUPERNODAL; // of matrices this size ten times as fast as the other; always L L'
     common->print = 0;
 }
 
@@ -97,17 +97,36 @@ static cholmod_dense dense_view(size_t rows, size_t columns, double values[])
                            .dtype = CHOLMOD_DOUBLE};
 }
 
-pdmc_status pdmc_bond_factor_solve(const pdmc_bond_factor *factor, int columns, const double b[], double x[])
+// Solves with each of the parts in turn; x may be b.
+static pdmc_status solve_parts(const pdmc_bond_factor *factor, int count, const int parts[], int columns,
+                               const double b[], double x[])
 {
+    pdmc_status status = PDMC_OK;
+    const size_t n = factor->factor->n, values = n * (size_t)columns;
     cholmod_common common; // the factor is shared by threads, what they work with is not
     prepare(&common);
-    cholmod_dense loads = dense_view(factor->factor->n, (size_t)columns, (double *)b);
-    cholmod_dense *solution = cholmod_l_solve(CHOLMOD_A, factor->factor, &loads, &common);
-    const pdmc_status status = failure(&common, "cholmod_solve");
-    if (status == PDMC_OK) memcpy(x, solution->x, factor->factor->n * (size_t)columns * sizeof *x);
-    cholmod_l_free_dense(&solution, &common);
+    if (x != b) memcpy(x, b, values * sizeof *x);
+    for (int k = 0; k < count && status == PDMC_OK; k++) {
+        cholmod_dense loads = dense_view(n, (size_t)columns, x);
+        cholmod_dense *solution = cholmod_l_solve(parts[k], factor->factor, &loads, &common);
+        status = failure(&common, "cholmod_solve");
+        if (status == PDMC_OK) memcpy(x, solution->x, values * sizeof *x);
+        cholmod_l_free_dense(&solution, &common);
+    }
     cholmod_l_finish(&common);
     return status;
+}
+
+pdmc_status pdmc_bond_factor_solve(const pdmc_bond_factor *factor, int columns, const double b[], double x[])
+{
+    const int whole[1] = {CHOLMOD_A};
+    return solve_parts(factor, 1, whole, columns, b, x);
+}
+
+pdmc_status pdmc_bond_factor_color(const pdmc_bond_factor *factor, int columns, const double b[], double x[])
+{
+    const int parts[2] = {CHOLMOD_Lt, CHOLMOD_Pt};
+    return solve_parts(factor, 2, parts, columns, b, x);
 }
 
 double pdmc_bond_factor_condition(const pdmc_bond_factor *factor)

@@ -22,5 +22,10 @@ void pdmc_bond_factor_destroy(pdmc_bond_factor **factor);
 PDMC_NODISCARD pdmc_status pdmc_bond_factor_solve(const pdmc_bond_factor *factor, int columns, const double b[],
                                                   double x[]);
 
+/// x = P' L'^-1 b with P K P' = L L', column by column: if the entries of b are independent with variance 1, those of x
+/// have the covariance K^-1.
+PDMC_NODISCARD pdmc_status pdmc_bond_factor_color(const pdmc_bond_factor *factor, int columns, const double b[],
+                                                  double x[]);
+
 /// An estimate of the condition number, from the diagonal of the factor.
 double pdmc_bond_factor_condition(const pdmc_bond_factor *factor);

@@ -16,6 +16,7 @@ void pdmc_affine_clear(pdmc_affine *model)
         pdmc_free(model->crossings[d].ring);
     }
     pdmc_free(model->crossings);
+    pdmc_free(model->observe);
     if (model->discretisation) model->verbs->destroy(model->discretisation);
     *model = (pdmc_affine){0};
 }

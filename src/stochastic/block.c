@@ -32,6 +32,7 @@ static pdmc_status allocate(pdmc_block *block)
     PDMC_NEW(block->next, B * unknowns);
     PDMC_NEW(block->stretch, B * (size_t)most_bonds(model));
     PDMC_NEW(block->ring_sum, B * (size_t)rings);
+    PDMC_NEW(block->observed, B * (size_t)model->observed);
     PDMC_NEW(block->intensity, B * 2 * (size_t)model->tips);
     PDMC_NEW(block->energy, B * (size_t)(model->tips * model->angles));
     for (int s = 0; s < B; s++) {
@@ -69,6 +70,7 @@ void pdmc_block_destroy(pdmc_block **block)
     pdmc_free(old->next);
     pdmc_free(old->stretch);
     pdmc_free(old->ring_sum);
+    pdmc_free(old->observed);
     pdmc_free(old->intensity);
     pdmc_free(old->energy);
     pdmc_free(old);
@@ -183,8 +185,10 @@ static void full_stretches(pdmc_block *block, const pdmc_crossing *crossing)
 // Sample by sample, since the unknowns near a tip stay in the cache.
 static void sparse_stretches(pdmc_block *block, const pdmc_crossing *crossing)
 {
+    const bool is_observed = block->model->observed > 0;
+    const size_t count = (size_t)(is_observed ? block->model->observed : block->model->unknowns);
     for (int s = 0; s < B; s++) {
-        const double *x = &block->x[(size_t)s * (size_t)block->model->unknowns];
+        const double *x = &(is_observed ? block->observed : block->x)[(size_t)s * count];
         for (int b = 0; b < crossing->bonds; b++) {
             double stretch = 0.0;
             for (int k = b * PDMC_BOND_ENDS; k < (b + 1) * PDMC_BOND_ENDS; k++)
@@ -223,6 +227,9 @@ void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds)
     if (model->tips > 0)
         cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, 2 * model->tips, B, n, 1.0, model->stress_intensity, n,
                     block->x, n, 0.0, block->intensity, B);
+    if (model->observed > 0)
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, B, model->observed, n, 1.0, block->x, n, model->observe, n,
+                    0.0, block->observed, model->observed);
     for (int d = 0; d < model->tips * model->angles; d++) {
         const pdmc_crossing *crossing = &model->crossings[d];
         (crossing->column ? sparse_stretches : full_stretches)(block, crossing);

@@ -16,6 +16,7 @@ typedef struct {
     double residual[PDMC_BLOCK];
     pdmc_sample_failure failure[PDMC_BLOCK];
     double *stretch;   // [bonds, PDMC_BLOCK]
+    double *observed;  // [model's observed]
     double *ring_sum;  // [rings, PDMC_BLOCK] squared stretches
     double *intensity; // [2 tips, PDMC_BLOCK]
     double *energy;    // [tips angles, PDMC_BLOCK]

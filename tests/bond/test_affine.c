@@ -2,69 +2,14 @@
 
 /// Samples of a cracked grid: three ways to solve them, and what symmetry demands of their energies.
 
-#include "bond/bond.h"
-#include "check.h"
+#include "bond/cracked.h"
 #include "stochastic/block.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <string.h>
 
-enum { ANGLES = 16, TIPS = 2, COUNT = 8, VALUES = COUNT * TIPS * ANGLES };
-
-typedef struct {
-    pdmc_problem problem;
-    pdmc_crack crack;
-    pdmc_load loads[2];
-    pdmc_support supports[2];
-    pdmc_uncertainty uncertainties[2];
-    int tips[TIPS];
-    pdmc_bond *bond;
-    pdmc_affine model;
-} cracked;
-
-// 40 x 40 cells of side 0.1 with a crack of six, between two rows of nodes.
-static void describe(cracked *c, int bins, double variation)
-{
-    *c = (cracked){
-        .crack = {"a", {-0.3, 0.0}, {0.3, 0.0}},
-        .loads = {{PDMC_SIDE_TOP, {0.0, 1.0}}, {PDMC_SIDE_BOTTOM, {0.0, -1.0}}},
-        .uncertainties = {{PDMC_QUANTITY_MICROMODULUS, PDMC_NORMAL, bins, variation},
-                          {PDMC_QUANTITY_LOAD, PDMC_NORMAL, 0, 0.2}},
-        .tips = {0, 1},
-    };
-    c->problem = (pdmc_problem){
-        .plate = {4.0, 4.0, 1.0},
-        .material = {1.0, PDMC_PLANE_STRESS, 1.0},
-        .crack_count = 1,
-        .cracks = &c->crack,
-        .load_count = 2,
-        .loads = c->loads,
-        .supports = c->supports,
-        .uncertainty_count = 2,
-        .uncertainties = c->uncertainties,
-        .solver = {.method = PDMC_METHOD_BOND,
-                   .spacing = 0.1,
-                   .horizon = 0.4,
-                   .area = PDMC_AREA_CENTROID,
-                   .surface_correction = PDMC_ON,
-                   .load_layer = 0.1},
-        .sampling = {.seed = 3, .samples = COUNT, .order = 4, .tolerance = 1e-10},
-        .energy = {.tip_count = TIPS, .tips = c->tips, .angles = ANGLES, .extension = 0.2, .horizon = 0.4},
-    };
-}
-
-static void make(cracked *c)
-{
-    CHECK_OK(pdmc_bond_create(&c->problem, 2, &c->bond));
-    CHECK_OK(pdmc_bond_affine(c->bond, &c->model));
-}
-
-static void clear(cracked *c)
-{
-    pdmc_affine_clear(&c->model);
-    pdmc_bond_destroy(&c->bond);
-}
+enum { COUNT = 8, VALUES = COUNT * TIPS * ANGLES };
 
 // Energies of the first samples, [COUNT, TIPS ANGLES].
 static void sample(cracked *c, pdmc_inverse inverse, int order, double energy[VALUES])

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/base_impl.h"
+#include "stochastic/reduced.h"
+
+enum { PDMC_PROBES = PDMC_BLOCK, PDMC_REDUCED_CAPACITY = 6 * PDMC_BLOCK };
+
+/// What a reduced model solves with; r is its dimension, the capacity the leading dimension of what grows.
+typedef struct {
+    int dimension, terms;
+    double *matrix;       // [terms, capacity, capacity] V' K_m V; V' K_0 V is the identity
+    double *load;         // [capacity] V' F
+    double *probe_matrix; // [1 + terms, capacity, PDMC_PROBES] z_k' K_m v_j, m = 0 the mean
+    double *probe_load;   // [PDMC_PROBES] z_k' F
+    double quantile;      // of chi-square with PDMC_PROBES degrees of freedom, at the probability of a failing bound
+} pdmc_reduced_system;
+
+PDMC_NODISCARD pdmc_status pdmc_reduced_system_create(int terms, pdmc_reduced_system **system);
+void pdmc_reduced_system_destroy(void *system);
+
+/// As pdmc_reduced_solve(), with rows of x of length system->dimension.
+PDMC_NODISCARD pdmc_status pdmc_reduced_system_solve(const pdmc_reduced_system *system, const double xi[], double x[],
+                                                     double error[PDMC_BLOCK]);

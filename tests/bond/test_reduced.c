@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The reduced model of a cracked grid against the iteration in full.
+
+#include "bond/cracked.h"
+#include "stochastic/draw.h"
+#include "stochastic/krylov.h"
+#include "stochastic/reduced.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <string.h>
+
+enum { B = PDMC_BLOCK };
+
+static double xi[B * 64];
+
+static void draw(const cracked *c)
+{
+    pdmc_draw one = {0};
+    double ring_weight[64], micromodulus[100];
+    one.micromodulus = micromodulus;
+    one.ring_weight = ring_weight;
+    assert_true(c->model.terms <= 64 && c->model.bins <= 100);
+    for (int s = 0; s < B; s++) {
+        one.xi = &xi[s * c->model.terms];
+        pdmc_draw_sample(&c->problem, &c->model, (uint64_t)s, &one);
+    }
+}
+
+// sqrt(e' K(xi) e) of the error of a reduced displacement.
+static void true_errors(const cracked *c, const pdmc_affine *reduced, const double y[], double error[B])
+{
+    const int n = c->model.unknowns;
+    double residual[B], *x = pdmc_calloc((size_t)B * (size_t)n, sizeof *x), *Kx = pdmc_calloc((size_t)B * (size_t)n, sizeof *Kx);
+    for (int s = 0; s < B; s++) memcpy(&x[s * n], c->model.solution[1], (size_t)n * sizeof *x);
+    CHECK_OK(pdmc_krylov_solve(&c->model, xi, 1e-12, x, residual));
+    CHECK_OK(c->model.verbs->multiply(&c->model, xi, x, Kx));
+    // Galerkin: e' K e = x' K x - y' f, and x' K x = x' f: the difference of the loads' work. f = K x.
+    for (int s = 0; s < B; s++) {
+        const double work = cblas_ddot(n, &x[s * n], 1, &Kx[s * n], 1);
+        double reduced_work = 0.0;
+        for (int j = 0; j < reduced->unknowns; j++)
+            reduced_work += y[s * reduced->unknowns + j] * reduced->solution[1][j];
+        error[s] = sqrt(fmax(work - reduced_work, 0.0));
+    }
+    pdmc_free(x);
+    pdmc_free(Kx);
+}
+
+// V' F = V' K_0 x_0: the coordinates of the mean's answer are those of the load.
+static void the_bound_holds(void **state)
+{
+    (void)state;
+    cracked c;
+    describe(&c, 100, 0.2);
+    c.problem.solver.micromodulus = PDMC_MICROMODULUS_AT_NODES;
+    make(&c);
+    draw(&c);
+    const double tolerances[3] = {3e-2, 3e-3, 3e-4};
+    double size = 0.0;
+    for (int i = 0; i < 3; i++) {
+        pdmc_affine reduced;
+        double bound[B], error[B], least = INFINITY, most = 0.0, worst = 0.0;
+        CHECK_OK(pdmc_reduced_create(&c.problem, &c.model, tolerances[i], 2, &reduced));
+        double *y = pdmc_calloc((size_t)B * (size_t)reduced.unknowns, sizeof *y);
+        CHECK_OK(pdmc_reduced_solve(&reduced, xi, y, bound));
+        true_errors(&c, &reduced, y, error);
+        for (int s = 0; s < B; s++) {
+            size = fmax(size, cblas_dnrm2(reduced.unknowns, &y[s * reduced.unknowns], 1));
+            least = fmin(least, bound[s] / error[s]);
+            most = fmax(most, bound[s] / error[s]);
+            worst = fmax(worst, bound[s]);
+        }
+        print_message("tolerance %g: %d unknowns, largest bound %.2e, bound / error from %.2f to %.2f; size %.2f\n", tolerances[i], reduced.unknowns, worst, least, most, size);
+        assert_true(least >= 1.0);
+        assert_true(most < 6.0);
+        assert_true(worst < 2.0 * tolerances[i]);
+        pdmc_free(y);
+        pdmc_affine_clear(&reduced);
+    }
+    clear(&c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_bound_holds),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
