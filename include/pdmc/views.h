@@ -16,8 +16,9 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_view_table(const pdmc_results *results,
 /// @return PDMC_OK, PDMC_ERR_IO, or PDMC_ERR_NOMEM
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_view_json(const pdmc_results *results, FILE *stream);
 
-/// Tidy CSV files in a folder, which is made if it is missing: pdf.csv, quantiles.csv, samples.csv, direction.csv, and
-/// energy_samples.csv where that has at most a million rows; of a dynamic study, motion.csv. Older ones are replaced.
+/// Tidy CSV files in a folder, which is made if it is missing: pdf.csv, quantiles.csv, samples.csv, direction.csv,
+/// faces.csv (the displacement of the cracks' faces at the mean), and energy_samples.csv where that has at most a million
+/// rows; of a dynamic study, motion.csv. Older ones are replaced.
 /// @return PDMC_OK, PDMC_ERR_CREATE, PDMC_ERR_IO, or PDMC_ERR_NOMEM
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_view_export(const pdmc_results *results, const char *folder);
 

@@ -199,6 +199,23 @@ static void write_energy_samples(const pdmc_results *r, const csv_units *units, 
             }
 }
 
+// The displacement at the mean, on both faces of every crack.
+static void write_faces(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    static const char *const columns[] = {"x", "y", "left_x", "left_y", "right_x", "right_y"};
+    (void)units;
+    fputs("crack", stream);
+    for (size_t i = 0; i < sizeof columns / sizeof columns[0]; i++) put_column(stream, columns[i], r->length_unit);
+    fputc('\n', stream);
+    const size_t points = (size_t)r->field.face_points;
+    for (size_t at = 0; at < (size_t)r->crack_count * points; at++) {
+        fprintf(stream, "%zu", at / points);
+        for (size_t k = 0; k < 2; k++) put_number(stream, r->field.face_position[2 * at + k]);
+        for (size_t k = 0; k < 4; k++) put_number(stream, r->field.face_displacement[4 * at + k]);
+        fputc('\n', stream);
+    }
+}
+
 static void write_motion_header(const pdmc_results *r, const csv_units *units, FILE *stream)
 {
     static const char *const energies[] = {"kinetic", "elastic", "dissipated", "work"};
@@ -284,6 +301,7 @@ static const csv_file files[] = {
     {"direction.csv", write_direction, false},
     {"samples.csv", write_samples, false},
     {"energy_samples.csv", write_energy_samples, false},
+    {"faces.csv", write_faces, false},
     {"motion.csv", write_motion, true},
 };
 

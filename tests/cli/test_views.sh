@@ -21,7 +21,7 @@ expect_line out '"samples":100,"failed":0,'
 # The numbers do not depend on the threads; the times and the date do.
 for file in small three; do
     expect 0 "\"\$pdmc\" export $file.h5 $file"
-    for name in pdf quantiles direction samples energy_samples; do
+    for name in pdf quantiles direction samples energy_samples faces; do
         [ -s "$file/$name.csv" ] || fail "$file/$name.csv is missing"
     done
 done

@@ -52,8 +52,15 @@ static void every_number_has_its_row(void **state)
                 "center.to.K_I",
                 40);
     check_table("energy_samples.csv", "sample,tip,angle[rad],bond_energy[N/cm],griffith_energy[N/cm]\n", 40 * 2 * 8);
+    check_table("faces.csv", "crack,x[cm],y[cm],left_x[cm],left_y[cm],right_x[cm],right_y[cm]\n",
+                r.crack_count * r.field.face_points);
+    char *faces = exported("faces.csv"), row[256];
+    snprintf(row, sizeof row, "\n0,%.17g,%.17g,%.17g,", r.field.face_position[2], r.field.face_position[3],
+             r.field.face_displacement[4]);
+    assert_non_null(strstr(faces, row));
+    free(faces);
     pdmc_results_clear(&r);
-    assert_int_equal(scratch_empty(scratch_path("csv")), 5);
+    assert_int_equal(scratch_empty(scratch_path("csv")), 6);
     scratch_empty(scratch);
 }
 
@@ -119,7 +126,7 @@ static void odd_results_are_exported(void **state)
     check_table("samples.csv", "sample,failure,load_factor,effective_modulus,contraction\n", 0);
     CHECK_OK(pdmc_view_export(&r, scratch_path("csv"))); // a second time, over the first
     CHECK_FAILS_CLEANLY(pdmc_view_export(&r, scratch_path("csv")), (void)0);
-    assert_int_equal(scratch_empty(scratch_path("csv")), 5);
+    assert_int_equal(scratch_empty(scratch_path("csv")), 6);
     pdmc_results_clear(&r);
     scratch_empty(scratch);
 }
