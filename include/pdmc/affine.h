@@ -28,11 +28,12 @@ typedef struct {
     /// @return PDMC_OK, PDMC_ERR_SINGULAR, or PDMC_ERR_NOMEM
     pdmc_status (*solve)(const pdmc_affine *model, const double xi[], const double scale[2], double x[]);
 
-    /// Y = K(xi) X and Z = K_0^-1 R, column by column, where K is symmetric positive definite on the unknowns that are
-    /// not held; NULL elsewhere. Held unknowns of Y are 0, and so are those of Z where R has a 0.
+    /// Y = (mean K_0 + sum_m xi_m K_m) X and Z = K_0^-1 R, column by column, where K is symmetric positive definite on the
+    /// unknowns that are not held; NULL elsewhere. Held unknowns of Y are 0, and so are those of Z where R has a 0.
+    /// @param[in]  mean    1, or 0 for the terms alone
     /// @param[in]  xi      [PDMC_BLOCK, terms]
     /// @param      x y r z [PDMC_BLOCK, unknowns], not overlapping
-    pdmc_status (*multiply)(const pdmc_affine *model, const double xi[], const double x[], double y[]);
+    pdmc_status (*multiply)(const pdmc_affine *model, double mean, const double xi[], const double x[], double y[]);
     pdmc_status (*precondition)(const pdmc_affine *model, const double r[], double z[]);
 
     /// Z = K_0^-1/2 G, a root for which the covariance of Z is K_0^-1 where that of G is the identity; on the unknowns that
@@ -72,6 +73,7 @@ struct pdmc_affine {
     pdmc_crossing *crossings; // [tips, angles]
     /// |sqrt G(x + e) - sqrt G(x)| <= crossing_bound |e|, |e|^2 = e' K(xi) e, in every direction; 0 where that is not known.
     double crossing_bound;
+    double *intensity_bound; // [2 tips] |row e| <= intensity_bound sqrt(e' K_0 e) of the stress intensities, or NULL
     int observed;    // number of displacements that the crossings' columns count; 0: they count the unknowns
     double *observe; // [observed, unknowns]
 

@@ -99,7 +99,7 @@ typedef struct {
     double load_layer; // thickness of the layer of nodes that a traction is spread over, length
 } pdmc_solver_options;
 
-typedef enum { PDMC_INVERSE_DIRECT, PDMC_INVERSE_NEUMANN, PDMC_INVERSE_KRYLOV } pdmc_inverse;
+typedef enum { PDMC_INVERSE_DIRECT, PDMC_INVERSE_NEUMANN, PDMC_INVERSE_KRYLOV, PDMC_INVERSE_REDUCED } pdmc_inverse;
 
 typedef struct {
     uint64_t seed;
@@ -107,6 +107,7 @@ typedef struct {
     pdmc_inverse inverse;
     int order;        // of the Neumann expansion
     double tolerance; // of the relative residual of Krylov's iteration
+    double energy_tolerance; // of a sample's largest energy, relative, by the reduced model
 } pdmc_sampling;
 
 typedef enum { PDMC_BONDS_ALL, PDMC_BONDS_TENSILE } pdmc_bonds;

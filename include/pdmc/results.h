@@ -53,6 +53,15 @@ typedef struct {
     pdmc_estimate *density;            // [T, A, B] probability density, length / force
 } pdmc_energy_statistics;
 
+/// How well the samples were solved; NaN where the inverse has no such figure, and in files that do not hold them.
+typedef struct {
+    double iteration_residual;           // largest relative residual of conjugate gradients
+    double reduced_unknowns;             // of the reduced model
+    double energy_error[PDMC_MEASURES];  // largest bound of the relative error of a sample's largest energy
+    double typical_error[PDMC_MEASURES]; // the median of those bounds
+    double solved_in_full;               // samples whose energy was too near to G_c for the reduced model
+} pdmc_sample_accuracy;
+
 /// The plate as it was discretised, and its displacement at the mean.
 typedef struct {
     int node_count;
@@ -124,6 +133,7 @@ typedef struct {
     double *micromodulus;       // [S, R] c(r) / c_0 in each bin
     double *effective_modulus;  // [S] E_eff / E
     double *contraction;        // [S] measured factor of the Neumann expansion; NaN with direct solves
+    pdmc_sample_accuracy accuracy;
     uint8_t *failure;           // [S] pdmc_sample_failure
     double *stress_intensity;   // [S, T, 2] K_I, K_II
     double *energy[PDMC_MEASURES]; // each [S, T, A], by pdmc_measure; NaN where the sample failed

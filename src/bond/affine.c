@@ -20,28 +20,35 @@ static void release(void *discretisation)
     (void)discretisation;
 }
 
-// y = (mean K_0 + sum_m xi_m K_m) x.
-static pdmc_status combine(const pdmc_affine *model, double mean, const double xi[], const double x[], double y[])
+static pdmc_status multiply(const pdmc_affine *model, double mean, const double xi[], const double x[], double y[])
 {
     pdmc_status status = PDMC_OK;
     const int shells = bond_of(model)->plate.horizon.shells, count = B * shells;
     double *factor = NULL;
     PDMC_NEW(factor, count);
     for (int k = 0; k < count; k++) factor[k] = mean + (model->terms > 0 ? xi[k] : 0.0);
-    PDMC_TRY(pdmc_bond_multiply(&bond_of(model)->plate, factor, x, y));
+    PDMC_TRY(pdmc_bond_multiply(&bond_of(model)->plate, bond_of(model)->threads, factor, x, y));
 done:
     pdmc_free(factor);
     return status;
 }
 
-static pdmc_status multiply(const pdmc_affine *model, const double xi[], const double x[], double y[])
-{
-    return combine(model, 1.0, xi, x, y);
-}
-
+// A block is solved in parts of a fixed width, since the last bits depend on it, side by side where there are threads.
 static pdmc_status precondition(const pdmc_affine *model, const double r[], double z[])
 {
-    return pdmc_bond_factor_solve(bond_of(model)->factor, B, r, z);
+    enum { PART = B / 2 };
+    pdmc_status status = PDMC_OK;
+    const pdmc_bond *bond = bond_of(model);
+#pragma omp parallel for num_threads(bond->threads)
+    for (int first = 0; first < B; first += PART) {
+        const size_t at = (size_t)first * (size_t)model->unknowns;
+        const pdmc_status mine = pdmc_bond_factor_solve(bond->factor, PART, &r[at], &z[at]);
+        if (mine != PDMC_OK) {
+#pragma omp critical(pdmc_bond_precondition)
+            status = mine;
+        }
+    }
+    return status;
 }
 
 static pdmc_status color(const pdmc_affine *model, const double g[], double z[])
@@ -56,7 +63,7 @@ static pdmc_status color(const pdmc_affine *model, const double g[], double z[])
 
 static pdmc_status perturb(const pdmc_affine *model, const double xi[], const double x[], double y[])
 {
-    const pdmc_status status = combine(model, 0.0, xi, x, y);
+    const pdmc_status status = multiply(model, 0.0, xi, x, y);
     return status == PDMC_OK ? precondition(model, y, y) : status;
 }
 

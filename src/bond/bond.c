@@ -139,7 +139,7 @@ pdmc_status pdmc_bond_product(const pdmc_bond *bond, const double factor[], cons
     PDMC_NEW(factors, PDMC_BLOCK * shells);
     memcpy(block, x, (size_t)n * sizeof *x);
     memcpy(factors, factor, (size_t)shells * sizeof *factor);
-    PDMC_TRY(pdmc_bond_multiply(&bond->plate, factors, block, product));
+    PDMC_TRY(pdmc_bond_multiply(&bond->plate, bond->threads, factors, block, product));
     memcpy(y, product, (size_t)n * sizeof *y);
 done:
     pdmc_free(block);

@@ -28,8 +28,8 @@ static void gather_columns(int nodes, const double x[], tile_vector in[])
             for (size_t i = 0; i < 2; i++) in[node].u[i][c] = x[c * unknowns + 2 * node + i];
 }
 
-// [shells] h^2 times the stiffness of a bond of the shell in each column
-static void gather_stiffness(const pdmc_bond_plate *plate, const double factor[], tile stiffness[])
+// [shells] h^2 times the stiffness of a bond of the shell in each column, and whether it is 0 in all of them
+static void gather_stiffness(const pdmc_bond_plate *plate, const double factor[], tile stiffness[], bool is_idle[])
 {
     const pdmc_bond_horizon *horizon = &plate->horizon;
     const double area = plate->grid.spacing * plate->grid.spacing;
@@ -38,11 +38,16 @@ static void gather_stiffness(const pdmc_bond_plate *plate, const double factor[]
         for (int c = 0; c < TILE; c++)
             stiffness[n->shell][c] = area * n->stiffness * factor[c * horizon->shells + n->shell];
     }
+    for (int m = 0; m < horizon->shells; m++) {
+        is_idle[m] = true;
+        for (int c = 0; c < TILE; c++) is_idle[m] = is_idle[m] && stiffness[m][c] == 0.0;
+    }
 }
 
 // sum_j k e e . (u_i - u_j) of each node, in the order of its bonds
 LONGEST_VECTORS
-static void sum_bonds(const pdmc_bond_plate *plate, const tile stiffness[], const tile_vector in[], double y[])
+static void sum_bonds(const pdmc_bond_plate *plate, const tile stiffness[], const bool is_idle[],
+                      const tile_vector in[], double y[])
 {
     const pdmc_bond_families *families = &plate->families;
     const size_t nodes = (size_t)plate->grid.nodes, unknowns = 2 * nodes;
@@ -51,6 +56,7 @@ static void sum_bonds(const pdmc_bond_plate *plate, const tile stiffness[], cons
         tile sum[2] = {{0.0}, {0.0}};
         for (size_t b = families->start[node]; b < families->start[node + 1]; b++) {
             const pdmc_bond_neighbour *n = &plate->horizon.neighbour[families->neighbour[b]];
+            if (is_idle[n->shell]) continue;
             const int partner = families->partner[b];
             const double scale = 0.5 * (families->scale[node] + families->scale[partner]);
             const double e[2] = {n->direction[0], n->direction[1]}, pull[2] = {scale * e[0], scale * e[1]};
@@ -66,21 +72,37 @@ static void sum_bonds(const pdmc_bond_plate *plate, const tile stiffness[], cons
     }
 }
 
-pdmc_status pdmc_bond_multiply(const pdmc_bond_plate *plate, const double factor[], const double x[], double y[])
+static pdmc_status multiply_tile(const pdmc_bond_plate *plate, const double factor[], const double x[], double y[])
+{
+    pdmc_status status = PDMC_OK;
+    tile_vector *in = NULL;
+    tile *stiffness = NULL;
+    bool *is_idle = NULL;
+    PDMC_NEW(in, plate->grid.nodes);
+    PDMC_NEW(stiffness, plate->horizon.shells);
+    PDMC_NEW(is_idle, plate->horizon.shells);
+    gather_columns(plate->grid.nodes, x, in);
+    gather_stiffness(plate, factor, stiffness, is_idle);
+    sum_bonds(plate, stiffness, is_idle, in, y);
+done:
+    pdmc_free(is_idle);
+    pdmc_free(stiffness);
+    pdmc_free(in);
+    return status;
+}
+
+pdmc_status pdmc_bond_multiply(const pdmc_bond_plate *plate, int threads, const double factor[], const double x[],
+                               double y[])
 {
     pdmc_status status = PDMC_OK;
     const size_t shells = (size_t)plate->horizon.shells, columns = 2 * (size_t)plate->grid.nodes * TILE;
-    tile_vector *in = NULL;
-    tile *stiffness = NULL;
-    PDMC_NEW(in, plate->grid.nodes);
-    PDMC_NEW(stiffness, shells);
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
     for (size_t t = 0; t < TILES; t++) {
-        gather_columns(plate->grid.nodes, &x[t * columns], in);
-        gather_stiffness(plate, &factor[t * TILE * shells], stiffness);
-        sum_bonds(plate, stiffness, in, &y[t * columns]);
+        const pdmc_status mine = multiply_tile(plate, &factor[t * TILE * shells], &x[t * columns], &y[t * columns]);
+        if (mine != PDMC_OK) {
+#pragma omp critical(pdmc_bond_multiply)
+            status = mine;
+        }
     }
-done:
-    pdmc_free(stiffness);
-    pdmc_free(in);
     return status;
 }

@@ -13,12 +13,13 @@ typedef struct {
 /// Y = K X for PDMC_BLOCK columns, K = h^2 L with the sign that makes it positive: force / thickness of the free
 /// unknowns, and 0 of the held ones, whose displacement in X counts. The columns are independent and each sum has a
 /// fixed order.
+/// @param[in]  threads  >= 1; one is used where the call itself is made by one of several threads
 /// @param[in]  factor  [PDMC_BLOCK, shells] of each shell's mean stiffness
 /// @param[in]  x       [PDMC_BLOCK, unknowns]
 /// @param[out] y       [PDMC_BLOCK, unknowns]
 /// @return PDMC_OK or PDMC_ERR_NOMEM
-PDMC_NODISCARD pdmc_status pdmc_bond_multiply(const pdmc_bond_plate *plate, const double factor[], const double x[],
-                                              double y[]);
+PDMC_NODISCARD pdmc_status pdmc_bond_multiply(const pdmc_bond_plate *plate, int threads, const double factor[],
+                                              const double x[], double y[]);
 
 /// The lower triangle of K by columns, for factors of the shells; held unknowns have a 1 on the diagonal and nothing
 /// else, and what they do to the free ones is left to pdmc_bond_multiply().

@@ -5,6 +5,7 @@
 
 #define MOTION "/motion/" // the group that only dynamic studies have
 #define PEAK_MEMORY "/runtime/peak_memory"
+#define ACCURACY "/solver/samples/"
 #define MEMBER(name) offsetof(pdmc_results, name)
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
@@ -108,6 +109,19 @@ const pdmc_dataset pdmc_datasets[] = {
           PDMC_DIM_SAMPLE),
     REALS("/samples/contraction", contraction, NONE, "measured factor of the Neumann expansion, NaN with direct solves",
           PDMC_DIM_SAMPLE),
+    NUMBER(ACCURACY "iteration_residual", REAL, accuracy.iteration_residual, NONE,
+           "largest relative residual of conjugate gradients"),
+    NUMBER(ACCURACY "reduced_unknowns", REAL, accuracy.reduced_unknowns, NONE, "unknowns of the reduced model"),
+    NUMBER(ACCURACY "bond_energy_error", REAL, accuracy.energy_error[PDMC_MEASURE_BOND], NONE,
+           "largest bound of the relative error of a sample's largest bond energy"),
+    NUMBER(ACCURACY "bond_energy_typical_error", REAL, accuracy.typical_error[PDMC_MEASURE_BOND], NONE,
+           "median of those bounds"),
+    NUMBER(ACCURACY "griffith_energy_error", REAL, accuracy.energy_error[PDMC_MEASURE_GRIFFITH], NONE,
+           "largest bound of the relative error of a sample's largest Griffith energy"),
+    NUMBER(ACCURACY "griffith_energy_typical_error", REAL, accuracy.typical_error[PDMC_MEASURE_GRIFFITH], NONE,
+           "median of those bounds"),
+    NUMBER(ACCURACY "solved_in_full", REAL, accuracy.solved_in_full, NONE,
+           "samples whose energy was too near to G_c for the reduced model"),
     ARRAY("/samples/failure", BYTE, uint8_t, failure, NONE,
           "0 none, 1 the expansion does not contract, 2 singular system, 3 effective modulus not positive",
           PDMC_DIM_SAMPLE),
@@ -223,7 +237,7 @@ bool pdmc_dataset_belongs(const pdmc_results *results, const pdmc_dataset *datas
 
 bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset)
 {
-    return strcmp(dataset->path, PEAK_MEMORY) == 0;
+    return strcmp(dataset->path, PEAK_MEMORY) == 0 || strncmp(dataset->path, ACCURACY, strlen(ACCURACY)) == 0;
 }
 
 size_t pdmc_dataset_rank(const pdmc_dataset *dataset)

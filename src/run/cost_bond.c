@@ -14,6 +14,7 @@ static const double seconds_per_flop = 1.0 / 25e9;         // of the factorisati
 static const double seconds_per_entry_analysed = 0.15e-6;  // of the matrix
 static const double seconds_per_factor_entry = 0.22e-9;    // of a solution, in blocks, both triangles
 static const double seconds_per_bond_product = 0.4e-9;     // of K times a vector, each bond from both its ends
+static const double seconds_of_a_reduced_sample = 0.5e-3;  // with some 200 unknowns
 static const double seconds_per_direction = 30e-6;         // of a sample's energies
 static const double seconds_per_distribution = 1.7e-3;     // intervals of a histogram
 static const double bytes_of_program = 30e6;
@@ -54,6 +55,7 @@ static double seconds_of_a_sample(const pdmc_problem *problem, const sizes *s)
     case PDMC_INVERSE_DIRECT: return seconds_per_flop * s->flops;
     case PDMC_INVERSE_NEUMANN: return problem->sampling.order * step;
     case PDMC_INVERSE_KRYLOV: return steps_of_iteration * step;
+    case PDMC_INVERSE_REDUCED: return seconds_of_a_reduced_sample;
     }
     return 0.0;
 }

@@ -17,6 +17,7 @@ void pdmc_affine_clear(pdmc_affine *model)
     }
     pdmc_free(model->crossings);
     pdmc_free(model->observe);
+    pdmc_free(model->intensity_bound);
     if (model->discretisation) model->verbs->destroy(model->discretisation);
     *model = (pdmc_affine){0};
 }

@@ -4,6 +4,7 @@
 #include "base/base_impl.h"
 #include "pdmc/fracture.h"
 #include "stochastic/krylov.h"
+#include "stochastic/reduced.h"
 
 #include <cblas.h>
 #include <math.h>
@@ -77,15 +78,22 @@ void pdmc_block_destroy(pdmc_block **block)
     *block = NULL;
 }
 
-void pdmc_block_draw(pdmc_block *block, int first, int count)
+void pdmc_block_draw_samples(pdmc_block *block, const int sample[], int count)
 {
     for (int s = 0; s < B; s++) {
-        if (s < count) pdmc_draw_sample(block->problem, block->model, (uint64_t)(first + s), &block->draw[s]);
+        block->sample[s] = s < count ? sample[s] : -1;
+        if (s < count) pdmc_draw_sample(block->problem, block->model, (uint64_t)sample[s], &block->draw[s]);
         else pdmc_draw_mean(block->model, &block->draw[s]);
         block->failure[s] = block->draw[s].effective_modulus > 0.0 ? PDMC_SAMPLE_OK : PDMC_SAMPLE_SOFT;
-        block->contraction[s] = NAN;
-        block->residual[s] = NAN;
+        block->contraction[s] = block->residual[s] = block->error[s] = NAN;
     }
+}
+
+void pdmc_block_draw(pdmc_block *block, int first, int count)
+{
+    int sample[B] = {0};
+    for (int s = 0; s < count; s++) sample[s] = first + s;
+    pdmc_block_draw_samples(block, sample, count);
 }
 
 // K_0^-1 F: the mean operator's answer to each sample's loads.
@@ -155,23 +163,37 @@ static pdmc_status iterate(pdmc_block *block)
     return status;
 }
 
-static pdmc_status solve_by_inverse(pdmc_block *block, int count)
+// The answer to the mean load, times the load.
+static pdmc_status reduce(pdmc_block *block)
 {
-    switch (block->problem->sampling.inverse) {
-    case PDMC_INVERSE_DIRECT: return solve_directly(block, count);
-    case PDMC_INVERSE_NEUMANN: return expand(block);
-    case PDMC_INVERSE_KRYLOV: return iterate(block);
+    const int n = block->model->unknowns;
+    const pdmc_status status = pdmc_reduced_solve(block->model, block->xi, block->x, block->error);
+    for (int s = 0; s < B && status == PDMC_OK; s++) {
+        const double load = block->draw[s].load_factor;
+        cblas_dscal(n, load, &block->x[s * n], 1);
+        block->error[s] *= fabs(load);
     }
-    return pdmc_raise(PDMC_ERR_ARG, "inverse %d is unknown", (int)block->problem->sampling.inverse);
+    return status;
+}
+
+pdmc_status pdmc_block_solve_by(pdmc_block *block, pdmc_inverse inverse, int count)
+{
+    const double begin = pdmc_seconds();
+    pdmc_status status = PDMC_OK;
+    start(block);
+    switch (inverse) {
+    case PDMC_INVERSE_DIRECT: status = solve_directly(block, count); break;
+    case PDMC_INVERSE_NEUMANN: status = expand(block); break;
+    case PDMC_INVERSE_KRYLOV: status = iterate(block); break;
+    case PDMC_INVERSE_REDUCED: status = reduce(block); break;
+    }
+    block->solve_seconds += pdmc_seconds() - begin;
+    return status;
 }
 
 pdmc_status pdmc_block_solve(pdmc_block *block, int count)
 {
-    const double begin = pdmc_seconds();
-    start(block);
-    const pdmc_status status = solve_by_inverse(block, count);
-    block->solve_seconds += pdmc_seconds() - begin;
-    return status;
+    return pdmc_block_solve_by(block, block->problem->sampling.inverse, count);
 }
 
 static void full_stretches(pdmc_block *block, const pdmc_crossing *crossing)
@@ -265,10 +287,10 @@ static void store_sample(const pdmc_block *block, int s, size_t sample, pdmc_res
     }
 }
 
-void pdmc_block_store(const pdmc_block *block, int first, int count, pdmc_results *results)
+void pdmc_block_store(const pdmc_block *block, int count, pdmc_results *results)
 {
     for (int s = 0; s < count; s++) {
-        const size_t sample = (size_t)(first + s), bins = (size_t)results->bin_count;
+        const size_t sample = (size_t)block->sample[s], bins = (size_t)results->bin_count;
         results->load_factor[sample] = block->draw[s].load_factor;
         results->effective_modulus[sample] = block->draw[s].effective_modulus;
         results->contraction[sample] = block->contraction[s];

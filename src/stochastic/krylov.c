@@ -65,8 +65,8 @@ static pdmc_status begin(iteration *it, double x[])
     pdmc_status status = PDMC_OK;
     const pdmc_affine *model = it->model;
     const size_t values = (size_t)B * (size_t)model->unknowns;
-    PDMC_TRY(model->verbs->multiply(model, it->none, x, it->r)); // the load
-    PDMC_TRY(model->verbs->multiply(model, it->xi, x, it->q));
+    PDMC_TRY(model->verbs->multiply(model, 1.0, it->none, x, it->r)); // the load
+    PDMC_TRY(model->verbs->multiply(model, 1.0, it->xi, x, it->q));
     for (int s = 0; s < B; s++) it->reference[s] = dot(it, it->r, x, s);
     for (size_t k = 0; k < values; k++) it->r[k] -= it->q[k];
     PDMC_TRY(model->verbs->precondition(model, it->r, it->z));
@@ -121,7 +121,7 @@ pdmc_status pdmc_krylov_solve(const pdmc_affine *model, const double xi[], doubl
     PDMC_TRY(iteration_create(&it));
     PDMC_TRY(begin(&it, x));
     for (int step = 0; step < MOST_STEPS && is_running(&it); step++) {
-        PDMC_TRY(model->verbs->multiply(model, xi, it.p, it.q));
+        PDMC_TRY(model->verbs->multiply(model, 1.0, xi, it.p, it.q));
         for (int s = 0; s < B; s++)
             if (it.running[s]) advance(&it, s, x);
         PDMC_TRY(model->verbs->precondition(model, it.r, it.z));

@@ -22,3 +22,24 @@ void pdmc_reduced_system_destroy(void *system);
 /// As pdmc_reduced_solve(), with rows of x of length system->dimension.
 PDMC_NODISCARD pdmc_status pdmc_reduced_system_solve(const pdmc_reduced_system *system, const double xi[], double x[],
                                                      double error[PDMC_BLOCK]);
+
+/// What a basis is made with. Vectors are [count, unknowns]; B = PDMC_BLOCK.
+typedef struct {
+    const pdmc_problem *problem;
+    const pdmc_affine *full;
+    int threads, n;
+    pdmc_reduced_system *system;
+    double *basis, *image;   // [PDMC_REDUCED_CAPACITY] V and K_0 V
+    double *probe;           // [PDMC_PROBES]
+    double *load;            // [1] F
+    double *block, *product; // [B]
+    double *overlap;         // [B, PDMC_REDUCED_CAPACITY]
+    double *xi;              // [B, terms] of the training samples
+    double *none;            // [B, terms] zero
+} pdmc_reduced_builder;
+
+PDMC_NODISCARD pdmc_status pdmc_reduced_builder_create(pdmc_reduced_builder *b);
+void pdmc_reduced_builder_clear(pdmc_reduced_builder *b);
+
+/// Makes the basis and the system, until the bound of the training samples' errors is at most `wanted`.
+PDMC_NODISCARD pdmc_status pdmc_reduced_build(pdmc_reduced_builder *b, double wanted);

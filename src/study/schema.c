@@ -66,7 +66,7 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define MICROMODULI CHOICES("averaged", "at_nodes")
 #define SWITCH CHOICES("off", "on")
 #define STENCILS CHOICES("imq", "polyharmonic")
-#define INVERSES CHOICES("direct", "neumann", "krylov")
+#define INVERSES CHOICES("direct", "neumann", "krylov", "reduced")
 #define LINES CHOICES("point", "segment")
 #define BONDS CHOICES("all", "tensile")
 #define MEASURES CHOICES("bond", "griffith")
@@ -114,7 +114,7 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .flag = offsetof(pdmc_support, held[1]), .fallback = "free", .doc = "prescribed displacement in y"},
 
     {SECTION_SOLVER, "method", KIND_CHOICE, .offset = IN_PROBLEM(solver.method), .choices = METHODS,
-     .fallback = "kansa", .doc = "collocation, or a grid of nodes and their bonds"},
+     .planned = CHOICES("galerkin"), .fallback = "kansa", .doc = "collocation, or a grid of nodes and their bonds"},
     {SECTION_SOLVER, "crack_model", KIND_CHOICE, .offset = IN_PROBLEM(solver.crack_model),
      .choices = CHOICES("analytic", "paper", "visible"), .fallback = "analytic", FOR(ANALYTIC | PAPER | VISIBLE),
      .doc = "analytic fields, the local limit; the recipe of Evangelatos & Spanos, which does not converge; or visible "
@@ -197,13 +197,16 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_SAMPLING, "samples", KIND_INT, .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.samples),
      .fallback = "1000", .doc = "a smaller number is a prefix of a larger one"},
     {SECTION_SAMPLING, "inverse", KIND_CHOICE, .offset = IN_PROBLEM(sampling.inverse), .choices = INVERSES,
-     .planned = CHOICES("reduced"), .fallback = "neumann",
-     .doc = "how each sample is solved: by its own factorisation, or round that of the mean by the Neumann expansion or "
-            "conjugate gradients"},
+     .fallback = "neumann",
+     .doc = "how each sample is solved: by its own factorisation; round that of the mean by the Neumann expansion or by "
+            "conjugate gradients; or by a reduced model with a bound of its error"},
     {SECTION_SAMPLING, "order", KIND_INT, .range = FROM_TO(0, 8), .offset = IN_PROBLEM(sampling.order), .fallback = "4",
      .doc = "of the Neumann expansion"},
     {SECTION_SAMPLING, "tolerance", KIND_REAL, .range = {0.0, 0.1, true}, .offset = IN_PROBLEM(sampling.tolerance),
      .fallback = "1e-8", .doc = "of the relative residual of inverse = \"krylov\""},
+    {SECTION_SAMPLING, "energy_tolerance", KIND_REAL, .range = {0.0, 0.1, true},
+     .offset = IN_PROBLEM(sampling.energy_tolerance), .fallback = "1e-3",
+     .doc = "of the relative error of a sample's largest energy, of inverse = \"reduced\""},
 
     {SECTION_ENERGY, "tips", KIND_TIPS, .offset = NOT_STORED, .fallback = "all tips",
      .doc = "[\"<crack>.from\", \"<crack>.to\", ...]"},

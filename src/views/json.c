@@ -130,6 +130,23 @@ static json_t *motion(const pdmc_results *r)
     return object;
 }
 
+// null where the inverse has no such figure.
+static json_t *accuracy(const pdmc_sample_accuracy *a)
+{
+    json_t *object = json_object();
+    pdmc_json_put(&object, "iteration_residual", pdmc_json_number(a->iteration_residual));
+    pdmc_json_put(&object, "reduced_unknowns", pdmc_json_number(a->reduced_unknowns));
+    for (int m = 0; m < PDMC_MEASURES; m++) {
+        char key[64];
+        snprintf(key, sizeof key, "%s_error", pdmc_measure_names[m]);
+        pdmc_json_put(&object, key, pdmc_json_number(a->energy_error[m]));
+        snprintf(key, sizeof key, "%s_typical_error", pdmc_measure_names[m]);
+        pdmc_json_put(&object, key, pdmc_json_number(a->typical_error[m]));
+    }
+    pdmc_json_put(&object, "solved_in_full", pdmc_json_number(a->solved_in_full));
+    return object;
+}
+
 static json_t *solver(const pdmc_solver_report *s)
 {
     json_t *object = json_object();
@@ -164,6 +181,7 @@ static json_t *everything(const pdmc_results *r)
     pdmc_json_put(&object, "tips", tips(r));
     if (r->kind == PDMC_DYNAMIC) pdmc_json_put(&object, "motion", motion(r));
     pdmc_json_put(&object, "solver", solver(&r->solver));
+    if (r->kind == PDMC_STATIC) pdmc_json_put(&object, "accuracy", accuracy(&r->accuracy));
     pdmc_json_put(&object, "runtime", pdmc_json_runtime(&r->runtime));
     return object;
 }

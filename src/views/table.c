@@ -142,6 +142,18 @@ static void print_memory(double bytes, FILE *stream)
     if (isfinite(bytes)) fprintf(stream, "memory   %.4g MB at most\n", bytes / 1e6);
 }
 
+static void print_accuracy(const pdmc_sample_accuracy *a, FILE *stream)
+{
+    if (isfinite(a->iteration_residual))
+        fprintf(stream, "samples  largest relative residual of the iteration %.2g\n", a->iteration_residual);
+    if (isfinite(a->reduced_unknowns))
+        fprintf(stream,
+                "samples  reduced model of %.0f unknowns; relative error of the largest energy at most\n"
+                "         %.2g bond (median %.2g), %.2g Griffith (%.2g); %.0f samples solved in full\n",
+                a->reduced_unknowns, a->energy_error[PDMC_MEASURE_BOND], a->typical_error[PDMC_MEASURE_BOND],
+                a->energy_error[PDMC_MEASURE_GRIFFITH], a->typical_error[PDMC_MEASURE_GRIFFITH], a->solved_in_full);
+}
+
 static void print_foot(const pdmc_results *r, FILE *stream)
 {
     const pdmc_solver_report *s = &r->solver;
@@ -153,6 +165,7 @@ static void print_foot(const pdmc_results *r, FILE *stream)
     fprintf(stream, "         condition %.3g, largest residual %.3g %.20s, horizon %.4g, spacing %.4g %.8s\n",
             s->condition, s->residual, pdmc_one_line(text[0], unit), s->horizon, s->spacing,
             pdmc_one_line(text[1], r->length_unit));
+    print_accuracy(&r->accuracy, stream);
     fprintf(stream, "seconds  assembly %.2f, factorisation %.2f, operators %.2f, energy rows %.2f,\n", t->assembly,
             t->factorisation, t->operators, t->energy_rows);
     if (r->kind == PDMC_DYNAMIC) {

@@ -12,8 +12,8 @@
 
 enum { USUAL = 40, DEGREE = 4 };
 
-static const double shape = 0.5;     // psi / L
-static const double tip_reach = 2.5; // distance from a tip in finest spacings up to which the angle matters
+static const double shape = 1.0;     // psi / L
+static const double tip_reach = 4.0; // distance from a tip in finest spacings up to which the angle matters
 
 typedef struct {
     const pdmc_stencil_field *field;

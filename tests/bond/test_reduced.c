@@ -35,7 +35,7 @@ static void true_errors(const cracked *c, const pdmc_affine *reduced, const doub
     double residual[B], *x = pdmc_calloc((size_t)B * (size_t)n, sizeof *x), *Kx = pdmc_calloc((size_t)B * (size_t)n, sizeof *Kx);
     for (int s = 0; s < B; s++) memcpy(&x[s * n], c->model.solution[1], (size_t)n * sizeof *x);
     CHECK_OK(pdmc_krylov_solve(&c->model, xi, 1e-12, x, residual));
-    CHECK_OK(c->model.verbs->multiply(&c->model, xi, x, Kx));
+    CHECK_OK(c->model.verbs->multiply(&c->model, 1.0, xi, x, Kx));
     // Galerkin: e' K e = x' K x - y' f, and x' K x = x' f: the difference of the loads' work. f = K x.
     for (int s = 0; s < B; s++) {
         const double work = cblas_ddot(n, &x[s * n], 1, &Kx[s * n], 1);

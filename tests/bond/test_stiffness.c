@@ -71,7 +71,7 @@ static void the_product_is_that_of_the_matrix(void **state)
         double *y = test_malloc(PDMC_BLOCK * n * sizeof *y);
         for (size_t k = 0; k < PDMC_BLOCK * n; k++)
             if (is_held(&p.made, k % n)) x[k] = 0.0;
-        CHECK_OK(pdmc_bond_multiply(&p.made, factor, x, y));
+        CHECK_OK(pdmc_bond_multiply(&p.made, 1, factor, x, y));
         for (size_t column = 0; column < PDMC_BLOCK; column += 7) {
             double *K = dense(&p.made, &factor[column * shells]);
             for (size_t i = 0; i < n; i++) {
@@ -103,7 +103,7 @@ static void the_product_is_the_sum_of_bond_forces(void **state)
     const size_t n = 2 * (size_t)p.made.grid.nodes, shells = (size_t)p.made.horizon.shells;
     double *x = draw_many(PDMC_BLOCK * n, -1.0, 1.0), *factor = draw_many(PDMC_BLOCK * shells, 0.5, 1.5);
     double *y = test_malloc(PDMC_BLOCK * n * sizeof *y);
-    CHECK_OK(pdmc_bond_multiply(&p.made, factor, x, y));
+    CHECK_OK(pdmc_bond_multiply(&p.made, 1, factor, x, y));
     for (size_t column = 0; column < PDMC_BLOCK; column++) {
         const double *u = &x[column * n];
         for (size_t node = 0; node < n / 2; node++) {
@@ -137,12 +137,12 @@ static void columns_are_independent(void **state)
     const size_t n = 2 * (size_t)p.made.grid.nodes, shells = (size_t)p.made.horizon.shells;
     double *x = draw_many(PDMC_BLOCK * n, -1.0, 1.0), *factor = draw_many(PDMC_BLOCK * shells, 0.5, 1.5);
     double *y = test_malloc(PDMC_BLOCK * n * sizeof *y), *z = test_malloc(PDMC_BLOCK * n * sizeof *z);
-    CHECK_OK(pdmc_bond_multiply(&p.made, factor, x, y));
+    CHECK_OK(pdmc_bond_multiply(&p.made, 1, factor, x, y));
     for (size_t column = 0; column < PDMC_BLOCK; column++) {
         memcpy(&x[column * n], &x[37 * n], n * sizeof *x);
         memcpy(&factor[column * shells], &factor[37 * shells], shells * sizeof *factor);
     }
-    CHECK_OK(pdmc_bond_multiply(&p.made, factor, x, z));
+    CHECK_OK(pdmc_bond_multiply(&p.made, 1, factor, x, z));
     for (size_t column = 0; column < PDMC_BLOCK; column++)
         assert_memory_equal(&z[column * n], &y[37 * n], n * sizeof *z);
     test_free(z);
@@ -345,7 +345,7 @@ static void failures_are_clean(void **state)
     const size_t n = 2 * (size_t)p.made.grid.nodes, shells = (size_t)p.made.horizon.shells;
     double *x = draw_many(PDMC_BLOCK * n, 0.0, 1.0), *y = draw_many(PDMC_BLOCK * n, 0.0, 1.0);
     double *factor = draw_many(PDMC_BLOCK * shells, 1.0, 1.0);
-    CHECK_FAILS_CLEANLY(pdmc_bond_multiply(&p.made, factor, x, y), (void)0);
+    CHECK_FAILS_CLEANLY(pdmc_bond_multiply(&p.made, 1, factor, x, y), (void)0);
     CHECK_FAILS_CLEANLY(pdmc_bond_matrix_create(&p.made, factor, &matrix), pdmc_bond_matrix_clear(&matrix));
     test_free(factor);
     test_free(y);

@@ -11,7 +11,7 @@ static void read_bond_study(const char *sampling, pdmc_study *study)
     char text[2048];
     snprintf(text, sizeof text,
              "plate = { width = 4.0; height = 4.0; };\n"
-             "material = { youngs_modulus = 1.5; fracture_energy = 2.0; };\n"
+             "material = { youngs_modulus = 1.5; fracture_energy = 1.25; };\n" // near the median
              "cracks = ( { name = \"c\"; from = [-0.5, 0.0]; to = [0.5, 0.0]; } );\n"
              "loads = ( { side = \"top\"; traction = [0, 1]; }, { side = \"bottom\"; traction = [0, -1]; } );\n"
              "solver = { method = \"bond\"; spacing = 0.1; horizon_ratio = 3; };\n"
@@ -33,8 +33,8 @@ static void threads_change_nothing(void **state)
 {
     (void)state;
     const char *samplings[] = {"samples = 150; inverse = \"neumann\";", "samples = 150; inverse = \"krylov\";",
-                               "samples = 20; inverse = \"direct\";"};
-    for (int i = 0; i < 3; i++) {
+                               "samples = 150; inverse = \"reduced\";", "samples = 20; inverse = \"direct\";"};
+    for (int i = 0; i < 4; i++) {
         pdmc_results one, more;
         run_bond_study(samplings[i], 1, &one);
         for (int threads = 2; threads <= 3; threads++) {
@@ -44,6 +44,37 @@ static void threads_change_nothing(void **state)
         }
         pdmc_results_clear(&one);
     }
+}
+
+// Every sample of the reduced model is as near to that of the iteration as its bound says, and the probability is the same.
+static void the_reduced_model_keeps_its_promise(void **state)
+{
+    (void)state;
+    pdmc_results full, reduced;
+    run_bond_study("samples = 200; inverse = \"krylov\"; tolerance = 1e-12;", 2, &full);
+    run_bond_study("samples = 200; inverse = \"reduced\"; energy_tolerance = 0.1;", 2, &reduced);
+    const int directions = full.tip_count * full.angle_count;
+    for (int m = 0; m < PDMC_MEASURES; m++) {
+        double worst = 0.0;
+        for (int s = 0; s < 200; s++)
+            for (int t = 0; t < full.tip_count; t++) {
+                double largest[2] = {0.0, 0.0};
+                for (int a = 0; a < full.angle_count; a++) {
+                    const int at = s * directions + t * full.angle_count + a;
+                    largest[0] = fmax(largest[0], full.energy[m][at]);
+                    largest[1] = fmax(largest[1], reduced.energy[m][at]);
+                }
+                worst = fmax(worst, fabs(largest[1] / largest[0] - 1.0));
+            }
+        print_message("%s: error at most %.1e, said to be %.1e at most, %.1e typically\n", pdmc_measure_names[m], worst,
+                      reduced.accuracy.energy_error[m], reduced.accuracy.typical_error[m]);
+        assert_true(worst <= reduced.accuracy.energy_error[m]);
+    }
+    assert_true(reduced.accuracy.energy_error[PDMC_MEASURE_BOND] < 0.2);
+    assert_true(reduced.accuracy.solved_in_full > 0.0); // Griffith's energies near G_c
+    for (int t = 0; t < full.tip_count; t++) CHECK_NEAR(reduced.probability[t].value, full.probability[t].value, 0.0);
+    pdmc_results_clear(&full);
+    pdmc_results_clear(&reduced);
 }
 
 // The numbers behind sample i are those of any other method with the same seed.
@@ -98,6 +129,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(threads_change_nothing),
+        cmocka_unit_test(the_reduced_model_keeps_its_promise),
         cmocka_unit_test(samples_are_those_of_the_collocation),
         cmocka_unit_test(the_cost_counts_the_nodes),
         cmocka_unit_test(stress_intensity_is_near_the_local_limit),

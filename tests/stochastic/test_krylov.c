@@ -28,11 +28,11 @@ static void forces(const double stiffness[TERMS], const double x[], double y[])
     y[0] = 0.0;
 }
 
-static pdmc_status multiply(const pdmc_affine *model, const double xi[], const double x[], double y[])
+static pdmc_status multiply(const pdmc_affine *model, double mean, const double xi[], const double x[], double y[])
 {
     (void)model;
     for (int s = 0; s < PDMC_BLOCK; s++) {
-        const double stiffness[TERMS] = {1.0 + xi[s * TERMS], 1.0 + xi[s * TERMS + 1]};
+        const double stiffness[TERMS] = {mean + xi[s * TERMS], mean + xi[s * TERMS + 1]};
         forces(stiffness, &x[s * N], &y[s * N]);
     }
     return PDMC_OK;

@@ -159,9 +159,8 @@ static void wrong_words(void **state)
          "study.cfg:3: material.assumption: \"plane\" is not allowed, must be \"plane_stress\" or \"plane_strain\""},
         {LINE_LOADS, "loads = ( { side = \"up\"; traction = [0, 1]; } );",
          "study.cfg:5: loads[0].side: \"up\" is not allowed, must be \"left\", \"right\", \"bottom\" or \"top\""},
-        {LINE_SAMPLING, "sampling = { inverse = \"reduced\"; };",
-         "study.cfg:9: sampling.inverse: \"reduced\" is not available yet, must be \"direct\", \"neumann\" or "
-         "\"krylov\""},
+        {LINE_SOLVER, "solver = { method = \"galerkin\"; };",
+         "study.cfg:7: solver.method: \"galerkin\" is not available yet, must be \"kansa\" or \"bond\""},
         {LINE_SOLVER, "solver = { method = \"fem\"; };",
          "study.cfg:7: solver.method: \"fem\" is not allowed, must be \"kansa\" or \"bond\""},
         {LINE_SOLVER, "solver = { crack_model = \"blind\"; };",
@@ -205,6 +204,9 @@ static void settings_of_another_solver(void **state)
          "study.cfg:7: solver.area: is no setting of the crack_model \"analytic\""},
         {LINE_SOLVER, "solver = { crack_model = \"visible\"; shape = 1; };",
          "study.cfg:7: solver.shape: is no setting of the crack_model \"visible\""},
+        {LINE_SAMPLING, "sampling = { inverse = \"reduced\"; };",
+         "study.cfg:9: sampling.inverse: \"reduced\" needs the symmetric matrix of method = \"bond\", must be "
+         "\"direct\" or \"neumann\""},
         {LINE_SAMPLING, "sampling = { inverse = \"krylov\"; };",
          "study.cfg:9: sampling.inverse: \"krylov\" needs the symmetric matrix of method = \"bond\", must be "
          "\"direct\" or \"neumann\""},
