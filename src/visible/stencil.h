@@ -3,7 +3,7 @@
 
 /// The interpolant of the displacement near one node, from the nodes that it sees:
 ///     s(x) = sum_k a_k phi(|x - x_k| / L) + sum_j b_j p_j((x - x_0) / L),   sum_k a_k p_j = 0,
-/// L the stencil's radius, phi the inverse multiquadric with psi = L or r^3, p_j the monomials of degree <= 4, and
+/// L the stencil's radius, phi the inverse multiquadric with psi = 0.7 L or r^3, p_j the monomials of degree <= 4, and
 /// near a tip the functions cos t, sin t, t, cos 2t, sin 2t of the angle about it, cut along the crack: close to a tip
 /// the field depends on the angle alone.
 
