@@ -2,6 +2,7 @@
 #include "bond/factor.h"
 
 #include <cholmod.h>
+#include <omp.h>
 #include <string.h>
 
 struct pdmc_bond_factor {
@@ -27,6 +28,20 @@ static pdmc_status failure(const cholmod_common *common, const char *what)
     case CHOLMOD_OUT_OF_MEMORY: return pdmc_raise(PDMC_ERR_NOMEM, "out of memory: %s", what);
     default: return pdmc_raise(PDMC_ERR_EXTERN, "%s returned %d", what, common->status);
     }
+}
+
+// CHOLMOD 3 starts four threads of its own in small loops, whatever it is told; on a busy machine they wait for each other
+// most of the time. Inside our own parallel loops it cannot.
+static int forbid_threads(void)
+{
+    const int levels = omp_get_max_active_levels();
+    if (!omp_in_parallel()) omp_set_max_active_levels(0);
+    return levels;
+}
+
+static void allow_threads(int levels)
+{
+    if (!omp_in_parallel()) omp_set_max_active_levels(levels);
 }
 
 // A view of our matrix as theirs; nothing is copied.
@@ -67,7 +82,9 @@ pdmc_status pdmc_bond_factor_create(const pdmc_bond_matrix *matrix, const pdmc_b
     prepare(&made->common);
     made->factor = pattern ? symbolic_copy(pattern->factor, &made->common) : cholmod_l_analyze(&view, &made->common);
     PDMC_TRY(failure(&made->common, "cholmod_analyze"));
+    const int levels = forbid_threads();
     cholmod_l_factorize(&view, made->factor, &made->common);
+    allow_threads(levels);
     PDMC_TRY(failure(&made->common, "cholmod_factorize"));
     *factor = made;
     made = NULL;
