@@ -66,9 +66,9 @@ static pdmc_status refuse_of_other(const pdmc_study_record *r, const pdmc_study_
         const pdmc_uncertainty *uncertainty = r->base;
         name = find_setting(r->section, of)->choices[uncertainty->quantity];
     } else if (problem->solver.method != PDMC_METHOD_KANSA) {
-        name = find_setting(r->section, of = "method")->choices[problem->solver.method];
+        name = find_setting(SECTION_SOLVER, of = "method")->choices[problem->solver.method];
     } else {
-        name = find_setting(r->section, of = "crack_model")->choices[problem->solver.crack_model];
+        name = find_setting(SECTION_SOLVER, of = "crack_model")->choices[problem->solver.crack_model];
     }
     return pdmc_study_refuse(r->reader, pdmc_study_address_of(r, s), "is no setting of the %s \"%s\"", of, name);
 }
