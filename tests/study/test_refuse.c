@@ -215,11 +215,14 @@ static void settings_of_another_solver(void **state)
     pdmc_study study; // outside of the solver's own section
     CHECK_STATUS(read_text("plate = { width = 6.0; height = 4.0; };\n"
                            "material = { youngs_modulus = 1.0; fracture_energy = 1.0; };\n"
+                           "loads = ( { side = \"top\"; traction = [0.0, 1.0]; },\n"
+                           "          { side = \"bottom\"; traction = [0.0, -1.0]; } );\n"
+                           "cracks = ( { from = [-0.5, 0.0]; to = [0.5, 0.0]; } );\n"
                            "solver = { method = \"bond\"; };\n"
                            "energy = { line = \"segment\"; };\n",
                            &study),
                  PDMC_ERR_CONFIG);
-    assert_string_equal(pdmc_last_error(), "study.cfg:4: energy.line: is no setting of the method \"bond\"");
+    assert_string_equal(pdmc_last_error(), "study.cfg:7: energy.line: is no setting of the method \"bond\"");
 }
 
 static void grids_that_do_not_fit(void **state)
