@@ -69,13 +69,13 @@ struct pdmc_affine {
     double *stress_intensity; // [2 tips, unknowns] rows of K_I, K_II of each tip at E_eff = E
     double micromodulus;      // c_0 at the horizon of the energy, force / length^5
     int rings;
-    double *ring_weight; // [bins, rings]
+    double *ring_weight;      // [bins, rings]
     pdmc_crossing *crossings; // [tips, angles]
     /// |sqrt G(x + e) - sqrt G(x)| <= crossing_bound |e|, |e|^2 = e' K(xi) e, in every direction; 0 where that is not known.
     double crossing_bound;
     double *intensity_bound; // [2 tips] |row e| <= intensity_bound sqrt(e' K_0 e) of the stress intensities, or NULL
-    int observed;    // number of displacements that the crossings' columns count; 0: they count the unknowns
-    double *observe; // [observed, unknowns]
+    int observed;            // number of displacements that the crossings' columns count; 0: they count the unknowns
+    double *observe;         // [observed, unknowns]
 
     const pdmc_affine_verbs *verbs;
     void *discretisation;

@@ -81,8 +81,8 @@ typedef enum { PDMC_MICROMODULUS_AVERAGED, PDMC_MICROMODULUS_AT_NODES } pdmc_bon
 typedef struct {
     pdmc_method method;
     pdmc_crack_model crack_model;
-    double horizon;            // delta, length
-    double spacing;            // h of the nodes, length
+    double horizon; // delta, length
+    double spacing; // h of the nodes, length
     bool has_horizon_ratio;
     double horizon_ratio;      // delta / h, where the study gives it
     double shape;              // psi of the inverse multiquadric, length
@@ -105,8 +105,8 @@ typedef struct {
     uint64_t seed;
     int samples;
     pdmc_inverse inverse;
-    int order;        // of the Neumann expansion
-    double tolerance; // of the relative residual of Krylov's iteration
+    int order;               // of the Neumann expansion
+    double tolerance;        // of the relative residual of Krylov's iteration
     double energy_tolerance; // of a sample's largest energy, relative, by the reduced model
 } pdmc_sampling;
 
@@ -120,13 +120,13 @@ typedef enum { PDMC_LINE_POINT, PDMC_LINE_SEGMENT } pdmc_energy_line;
 /// Which energy release rates are asked for.
 typedef struct {
     int tip_count;
-    int *tips; // [tip_count] tip numbers: 2 * crack for its "from", 2 * crack + 1 for its "to"
-    int angles;           // directions phi_k = 2 pi k / angles
-    double extension;     // delta_alpha, distance from the tip to the point where bonds cross, length
-    double horizon;       // radius of the bonds that are counted, length
+    int *tips;             // [tip_count] tip numbers: 2 * crack for its "from", 2 * crack + 1 for its "to"
+    int angles;            // directions phi_k = 2 pi k / angles
+    double extension;      // delta_alpha, distance from the tip to the point where bonds cross, length
+    double horizon;        // radius of the bonds that are counted, length
     pdmc_energy_line line; // of the collocation; a grid of bonds has segments
-    pdmc_bonds bonds;     // bonds in tension only, or all
-    pdmc_measure measure; // what P(G > G_c) and the direction are computed from
+    pdmc_bonds bonds;      // bonds in tension only, or all
+    pdmc_measure measure;  // what P(G > G_c) and the direction are computed from
 } pdmc_energy_request;
 
 /// Of a dynamic problem: the plate is at rest until time 0, and the loads follow a history.

@@ -117,8 +117,7 @@ static pdmc_status add_bonds_of(collector *c, int node)
         pdmc_bond_grid_node(&plate->grid, families->partner[k], b);
         const double share = share_of_crossings(c, a, b);
         if (share == 0.0) continue;
-        const pdmc_status status =
-            add_bond(c, node, families->partner[k], &plate->horizon.neighbour[neighbour], share);
+        const pdmc_status status = add_bond(c, node, families->partner[k], &plate->horizon.neighbour[neighbour], share);
         if (status != PDMC_OK) return status;
     }
     return PDMC_OK;

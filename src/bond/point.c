@@ -28,7 +28,8 @@ static void gather(const pdmc_problem *problem, const pdmc_bond_grid *grid, cons
             double at[2];
             const int node = row * grid->columns + column;
             pdmc_bond_grid_node(grid, node, at);
-            const double d[2] = {(at[0] - x[0]) / h, (at[1] - x[1]) / h}, near = 1.0 - (d[0] * d[0] + d[1] * d[1]) / (reach * reach);
+            const double d[2] = {(at[0] - x[0]) / h, (at[1] - x[1]) / h},
+                         near = 1.0 - (d[0] * d[0] + d[1] * d[1]) / (reach * reach);
             if (near <= 0.0 || !is_seen(problem, h, anchor, at)) continue;
             const double terms[MOST_TERMS] = {1.0, d[0], d[1], d[0] * d[0], d[0] * d[1], d[1] * d[1]};
             weight[out->count] = near;

@@ -10,7 +10,7 @@ enum { PDMC_BOND_POINT_NODES = 64 };
 typedef struct {
     int count;
     int node[PDMC_BOND_POINT_NODES];
-    double value[PDMC_BOND_POINT_NODES];                            // of u(x) = sum_k value[k] u_k
+    double value[PDMC_BOND_POINT_NODES];                             // of u(x) = sum_k value[k] u_k
     double by_x[PDMC_BOND_POINT_NODES], by_y[PDMC_BOND_POINT_NODES]; // of its gradient, 1 / length
 } pdmc_bond_point;
 

@@ -14,7 +14,8 @@ static int node_at(const pdmc_bond_grid *grid, const double x[2])
     const double column = (x[0] - grid->origin[0]) / grid->spacing, row = (x[1] - grid->origin[1]) / grid->spacing;
     const double tolerance = 1e-9;
     if (fabs(column - round(column)) > tolerance || fabs(row - round(row)) > tolerance) return -1;
-    if (round(column) < 0.0 || round(column) >= grid->columns || round(row) < 0.0 || round(row) >= grid->rows) return -1;
+    if (round(column) < 0.0 || round(column) >= grid->columns || round(row) < 0.0 || round(row) >= grid->rows)
+        return -1;
     return (int)lround(row) * grid->columns + (int)lround(column);
 }
 

@@ -10,17 +10,17 @@
 
 // Measured with CHOLMOD and METIS on square grids of 2,500 to 40,000 nodes with horizons of 3 to 12 spacings, on a thread
 // of a 2023 server core (AMD EPYC).
-static const double seconds_per_flop = 1.0 / 25e9;         // of the factorisation
-static const double seconds_per_entry_analysed = 0.15e-6;  // of the matrix
-static const double seconds_per_factor_entry = 0.22e-9;    // of a solution, in blocks, both triangles
-static const double seconds_per_bond_product = 0.4e-9;     // of K times a vector, each bond from both its ends
-static const double seconds_of_a_reduced_sample = 0.5e-3;  // with some 200 unknowns
-static const double seconds_per_direction = 30e-6;         // of a sample's energies
-static const double seconds_per_distribution = 1.7e-3;     // intervals of a histogram
+static const double seconds_per_flop = 1.0 / 25e9;        // of the factorisation
+static const double seconds_per_entry_analysed = 0.15e-6; // of the matrix
+static const double seconds_per_factor_entry = 0.22e-9;   // of a solution, in blocks, both triangles
+static const double seconds_per_bond_product = 0.4e-9;    // of K times a vector, each bond from both its ends
+static const double seconds_of_a_reduced_sample = 0.5e-3; // with some 200 unknowns
+static const double seconds_per_direction = 30e-6;        // of a sample's energies
+static const double seconds_per_distribution = 1.7e-3;    // intervals of a histogram
 static const double bytes_of_program = 30e6;
 
 typedef struct {
-    double nodes, bonds; // bonds counted from both ends
+    double nodes, bonds;   // bonds counted from both ends
     double entries, flops; // of the factor
 } sizes;
 
@@ -68,10 +68,14 @@ pdmc_cost pdmc_bond_cost(const pdmc_problem *problem, int threads)
     const double directions = problem->energy.tip_count * (double)problem->energy.angles;
     const double file = 8.0 * samples * (PDMC_MEASURES * directions + (noise ? noise->bins : 0.0));
     double seconds = seconds_to_factor(&fine) + (directions > 0.0 ? seconds_to_factor(&coarse) : 0.0);
-    seconds += samples * ((noise ? seconds_of_a_sample(problem, &fine) : 0.0) + directions * seconds_per_direction) / threads;
+    seconds +=
+        samples * ((noise ? seconds_of_a_sample(problem, &fine) : 0.0) + directions * seconds_per_direction) / threads;
     seconds += PDMC_MEASURES * directions * seconds_per_distribution / threads;
     double bytes = 8.0 * (fine.entries + coarse.entries) + 26.0 * fine.bonds + 2.0 * file;
     bytes += 8.0 * PDMC_BLOCK * unknowns * 6.0 * threads;
-    return (pdmc_cost){.nodes = (int)fine.nodes, .unknowns = (int)unknowns, .rows = (int)unknowns,
-                       .bytes = bytes_of_program + bytes, .seconds = seconds};
+    return (pdmc_cost){.nodes = (int)fine.nodes,
+                       .unknowns = (int)unknowns,
+                       .rows = (int)unknowns,
+                       .bytes = bytes_of_program + bytes,
+                       .seconds = seconds};
 }

@@ -10,9 +10,9 @@ typedef struct {
     const pdmc_affine *model;
     int sample[PDMC_BLOCK]; // -1 for the mean
     pdmc_draw draw[PDMC_BLOCK];
-    double *numbers;         // the draws' arrays
-    double *xi;              // [terms]
-    double *x, *term, *next; // [unknowns] solution, last and next term of the expansion
+    double *numbers;                // the draws' arrays
+    double *xi;                     // [terms]
+    double *x, *term, *next;        // [unknowns] solution, last and next term of the expansion
     double contraction[PDMC_BLOCK]; // of the expansion
     double residual[PDMC_BLOCK];    // of the iteration
     double error[PDMC_BLOCK];       // of the reduced model, bound of sqrt(e' K(xi) e); all NaN with another inverse

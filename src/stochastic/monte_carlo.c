@@ -19,9 +19,9 @@ typedef struct {
     const pdmc_run_options *options;
     pdmc_results *results;
     int blocks, done;
-    double *residual;              // [samples] of the iteration
-    double *delta[PDMC_MEASURES];  // [samples] what an energy's root may be off by in the reduced model
-    bool *finished; // [blocks]
+    double *residual;             // [samples] of the iteration
+    double *delta[PDMC_MEASURES]; // [samples] what an energy's root may be off by in the reduced model
+    bool *finished;               // [blocks]
     bool stop;
     pdmc_status status;
     char message[512]; // of the thread that failed

@@ -12,8 +12,12 @@ static pdmc_status copy_weights(const pdmc_affine *full, pdmc_affine *reduced)
 {
     pdmc_status status = PDMC_OK;
     const size_t bins = (size_t)full->bins, terms = (size_t)full->terms, rings = (size_t)full->rings;
-    *reduced = (pdmc_affine){.terms = full->terms, .bins = full->bins, .rings = full->rings, .tips = full->tips,
-                             .angles = full->angles, .micromodulus = full->micromodulus,
+    *reduced = (pdmc_affine){.terms = full->terms,
+                             .bins = full->bins,
+                             .rings = full->rings,
+                             .tips = full->tips,
+                             .angles = full->angles,
+                             .micromodulus = full->micromodulus,
                              .crossing_bound = full->crossing_bound};
     PDMC_NEW(reduced->term_weight, bins * terms);
     PDMC_NEW(reduced->modulus_weight, bins);
@@ -67,9 +71,9 @@ static pdmc_status reduce_crossings(const pdmc_reduced_builder *b, pdmc_affine *
     PDMC_NEW(reduced->observe, (size_t)reduced->observed * (size_t)r);
     for (int k = 0; k < full->unknowns; k++)
         for (int j = 0; j < r && number[k] >= 0; j++)
-            reduced->observe[(size_t)number[k] * (size_t)r + (size_t)j] = b->basis[(size_t)j * (size_t)b->n + (size_t)k];
-    for (int d = 0; d < directions; d++)
-        PDMC_TRY(copy_crossing(&full->crossings[d], number, &reduced->crossings[d]));
+            reduced->observe[(size_t)number[k] * (size_t)r + (size_t)j] =
+                b->basis[(size_t)j * (size_t)b->n + (size_t)k];
+    for (int d = 0; d < directions; d++) PDMC_TRY(copy_crossing(&full->crossings[d], number, &reduced->crossings[d]));
 done:
     pdmc_free(number);
     return status;
@@ -83,7 +87,8 @@ static pdmc_status reduce_vectors(const pdmc_reduced_builder *b, pdmc_affine *re
     reduced->unknowns = r;
     for (int l = 0; l < 2; l++) PDMC_NEW(reduced->solution[l], r);
     PDMC_NEW(reduced->stress_intensity, 2 * reduced->tips * r);
-    cblas_dgemv(CblasRowMajor, CblasNoTrans, r, n, 1.0, b->image, n, b->full->solution[1], 1, 0.0, reduced->solution[1], 1);
+    cblas_dgemv(CblasRowMajor, CblasNoTrans, r, n, 1.0, b->image, n, b->full->solution[1], 1, 0.0, reduced->solution[1],
+                1);
     if (reduced->tips > 0)
         cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, 2 * reduced->tips, r, n, 1.0, b->full->stress_intensity, n,
                     b->basis, n, 0.0, reduced->stress_intensity, r);

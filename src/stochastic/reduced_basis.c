@@ -203,8 +203,7 @@ static pdmc_status enrich(pdmc_reduced_builder *b, double small, int *added)
     if (info != 0) PDMC_FAIL(PDMC_ERR_EXTERN, "LAPACKE_dsyev returned %d", info);
     const double negligible = fmax(rounding * eigenvalue[B - 1], small * small);
     *added = 0;
-    while (*added < MOST_OF_A_ROUND && *added < room && eigenvalue[B - 1 - *added] > negligible)
-        ++*added;
+    while (*added < MOST_OF_A_ROUND && *added < room && eigenvalue[B - 1 - *added] > negligible) ++*added;
     for (int k = 0; k < *added; k++) cblas_dscal(B, 1.0 / sqrt(eigenvalue[B - 1 - k]), &gram[(B - 1 - k) * B], 1);
     const size_t end = (size_t)b->system->dimension * (size_t)n;
     const double *combination = &gram[(B - *added) * B];

@@ -65,8 +65,7 @@ static pdmc_status probe_residuals(const pdmc_reduced_system *system, const doub
     double *weighted = NULL, *residual = NULL;
     PDMC_NEW(weighted, B * r);
     PDMC_NEW(residual, B * PDMC_PROBES);
-    for (int s = 0; s < B; s++)
-        cblas_daxpy(PDMC_PROBES, -1.0, system->probe_load, 1, &residual[s * PDMC_PROBES], 1);
+    for (int s = 0; s < B; s++) cblas_daxpy(PDMC_PROBES, -1.0, system->probe_load, 1, &residual[s * PDMC_PROBES], 1);
     for (int m = 0; m <= terms; m++) {
         for (int s = 0; s < B; s++)
             for (int j = 0; j < r; j++) weighted[s * r + j] = (m == 0 ? 1.0 : xi[s * terms + m - 1]) * x[s * r + j];

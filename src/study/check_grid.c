@@ -58,8 +58,10 @@ static pdmc_status check_layer(const pdmc_study_reader *reader)
         return pdmc_study_refuse(reader, at("load_layer"), "%g is not a whole number of spacings of %g", layer,
                                  p->solver.spacing);
     if (layer > pdmc_study_with_rounding(largest))
-        return pdmc_study_refuse(reader, at("load_layer"), "%g is too thick, must be at most %g, half of the shorter "
-                                 "side", layer, largest);
+        return pdmc_study_refuse(reader, at("load_layer"),
+                                 "%g is too thick, must be at most %g, half of the shorter "
+                                 "side",
+                                 layer, largest);
     return PDMC_OK;
 }
 

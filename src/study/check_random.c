@@ -43,11 +43,14 @@ pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader)
     const bool is_reduced = p->sampling.inverse == PDMC_INVERSE_REDUCED;
     if (p->sampling.inverse != PDMC_INVERSE_KRYLOV && !is_reduced) return PDMC_OK;
     if (p->solver.method != PDMC_METHOD_BOND)
-        return pdmc_study_refuse(reader, at, "\"%s\" needs the symmetric matrix of method = \"bond\", must be "
-                                 "\"direct\" or \"neumann\"", is_reduced ? "reduced" : "krylov");
+        return pdmc_study_refuse(reader, at,
+                                 "\"%s\" needs the symmetric matrix of method = \"bond\", must be "
+                                 "\"direct\" or \"neumann\"",
+                                 is_reduced ? "reduced" : "krylov");
     for (int s = 0; s < p->support_count && is_reduced; s++)
         if (p->supports[s].displacement[0] != 0.0 || p->supports[s].displacement[1] != 0.0)
-            return pdmc_study_refuse(reader, at, "\"reduced\" has no prescribed displacements but 0 yet, must be "
+            return pdmc_study_refuse(reader, at,
+                                     "\"reduced\" has no prescribed displacements but 0 yet, must be "
                                      "\"direct\", \"neumann\" or \"krylov\"");
     return PDMC_OK;
 }

@@ -17,8 +17,8 @@ static pdmc_problem plate(double ratio, pdmc_bond_area area)
         .material = {1.0, PDMC_PLANE_STRESS, 1.0},
         .crack_count = 1,
         .cracks = &crack,
-        .solver = {.method = PDMC_METHOD_BOND, .horizon = 0.05 * ratio, .spacing = 0.05, .area = area,
-                   .load_layer = 0.05},
+        .solver =
+            {.method = PDMC_METHOD_BOND, .horizon = 0.05 * ratio, .spacing = 0.05, .area = area, .load_layer = 0.05},
         .energy = {.tip_count = 1, .tips = &tip, .angles = 4, .horizon = 0.05 * ratio, .extension = 0.05},
     };
 }

@@ -32,7 +32,8 @@ static void draw(const cracked *c)
 static void true_errors(const cracked *c, const pdmc_affine *reduced, const double y[], double error[B])
 {
     const int n = c->model.unknowns;
-    double residual[B], *x = pdmc_calloc((size_t)B * (size_t)n, sizeof *x), *Kx = pdmc_calloc((size_t)B * (size_t)n, sizeof *Kx);
+    double residual[B], *x = pdmc_calloc((size_t)B * (size_t)n, sizeof *x),
+                        *Kx = pdmc_calloc((size_t)B * (size_t)n, sizeof *Kx);
     for (int s = 0; s < B; s++) memcpy(&x[s * n], c->model.solution[1], (size_t)n * sizeof *x);
     CHECK_OK(pdmc_krylov_solve(&c->model, xi, 1e-12, x, residual));
     CHECK_OK(c->model.verbs->multiply(&c->model, 1.0, xi, x, Kx));
@@ -72,7 +73,8 @@ static void the_bound_holds(void **state)
             most = fmax(most, bound[s] / error[s]);
             worst = fmax(worst, bound[s]);
         }
-        print_message("tolerance %g: %d unknowns, largest bound %.2e, bound / error from %.2f to %.2f; size %.2f\n", tolerances[i], reduced.unknowns, worst, least, most, size);
+        print_message("tolerance %g: %d unknowns, largest bound %.2e, bound / error from %.2f to %.2f; size %.2f\n",
+                      tolerances[i], reduced.unknowns, worst, least, most, size);
         assert_true(least >= 1.0);
         assert_true(most < 6.0);
         assert_true(worst < 2.0 * tolerances[i]);
