@@ -75,10 +75,12 @@ static void warn_of_shape(const pdmc_study_reader *reader)
 
 pdmc_status pdmc_study_check_solver(const pdmc_study_reader *reader)
 {
-    static const char *const bonds = "method = \"bond\"";
-    if (reader->problem->solver.method == PDMC_METHOD_BOND) return pdmc_study_check_grid(reader);
-    pdmc_status status = pdmc_study_check_inner_tips(reader, bonds);
-    if (status == PDMC_OK) status = pdmc_study_check_apart(reader, bonds);
+    const pdmc_solver_options *solver = &reader->problem->solver;
+    if (solver->method == PDMC_METHOD_BOND) return pdmc_study_check_grid(reader);
+    pdmc_status status = PDMC_OK;
+    if (solver->crack_model != PDMC_CRACKS_VISIBLE)
+        status = pdmc_study_check_inner_tips(reader, "crack_model = \"visible\" or method = \"bond\"");
+    if (status == PDMC_OK) status = pdmc_study_check_apart(reader, "method = \"bond\"");
     if (status == PDMC_OK) status = check_spacing(reader);
     if (status != PDMC_OK) return status;
     if (is_paper(reader)) { // its discs end at cracks and edges, and its shape is as advised when it is narrow

@@ -48,12 +48,12 @@ static pdmc_status add_node(maker *m, const pdmc_visible_node *node)
 static pdmc_status add_faces(maker *m, int c)
 {
     const pdmc_cut *cut = &m->cuts->cut[c];
-    const int count = (int)fmax(round(2.0 * cut->half_length / m->finest), 4.0);
-    const double step = 2.0 * cut->half_length / count;
+    const int count = (int)fmax(round((cut->high - cut->low) / m->finest), 4.0);
+    const double step = (cut->high - cut->low) / count;
     pdmc_status status = PDMC_OK;
     for (int i = 0; i < 2 * count && status == PDMC_OK; i++) {
         pdmc_visible_node node = {.view = {{0.0, 0.0}, c, i % 2 ? -1 : 1}, .spacing = step, .edge = -1};
-        pdmc_cut_global(cut, (i / 2 + 0.5) * step - cut->half_length, 0.0, node.view.x);
+        pdmc_cut_global(cut, cut->low + (i / 2 + 0.5) * step, 0.0, node.view.x);
         status = add_node(m, &node);
     }
     return status;
@@ -89,30 +89,72 @@ static void point_of_side(const maker *m, int side, double fraction, double x[2]
     x[1 - normal] = (2.0 * fraction - 1.0) * m->half[1 - normal];
 }
 
-// Nodes in the middles of cells of equal int ds / h.
-static pdmc_status add_side(maker *m, int side)
+// Nodes in the middles of cells of equal int ds / h, between two fractions of the side's length.
+static pdmc_status add_piece(maker *m, int side, double from, double to)
 {
     enum { STEPS = 4000 };
     const double length = 2.0 * m->half[side == PDMC_SIDE_LEFT || side == PDMC_SIDE_RIGHT ? 1 : 0];
+    const double part = (to - from) / STEPS;
     double x[2], cells = 0.0, passed = 0.0;
     for (int i = 0; i < STEPS; i++) {
-        point_of_side(m, side, (i + 0.5) / STEPS, x);
-        cells += length / STEPS / spacing_at(m, x);
+        point_of_side(m, side, from + (i + 0.5) * part, x);
+        cells += length * part / spacing_at(m, x);
     }
     const double share = cells / fmax(round(cells), 2.0);
     double next = 0.5 * share;
     pdmc_status status = PDMC_OK;
     for (int i = 0; i < STEPS && status == PDMC_OK; i++) {
-        point_of_side(m, side, (i + 0.5) / STEPS, x);
-        const double step = length / STEPS / spacing_at(m, x);
+        point_of_side(m, side, from + (i + 0.5) * part, x);
+        const double step = length * part / spacing_at(m, x);
         if (passed + step >= next) {
-            point_of_side(m, side, (i + (next - passed) / step) / STEPS, x);
+            point_of_side(m, side, from + (i + (next - passed) / step) * part, x);
             const pdmc_visible_node node = {.view = {{x[0], x[1]}, -1, 0}, .spacing = spacing_at(m, x), .edge = -1};
             status = add_node(m, &node);
             next += share;
         }
         passed += step;
     }
+    return status;
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+// Where cracks go through a side, as ascending fractions of its length, between its two ends.
+static int find_mouths(const maker *m, int side, double fraction[])
+{
+    const int normal = side == PDMC_SIDE_LEFT || side == PDMC_SIDE_RIGHT ? 0 : 1;
+    double corner[2];
+    int count = 0;
+    point_of_side(m, side, 0.0, corner);
+    fraction[count++] = 0.0;
+    for (int t = 0; t < 2 * m->cuts->count; t++) {
+        const pdmc_cut *cut = &m->cuts->cut[t / 2];
+        double x[2];
+        if (cut->has_tip[t % 2]) continue;
+        pdmc_cut_global(cut, t % 2 ? cut->high : cut->low, 0.0, x);
+        if (fabs(x[normal] - corner[normal]) < 1e-9 * m->half[normal])
+            fraction[count++] = 0.5 + 0.5 * x[1 - normal] / m->half[1 - normal];
+    }
+    fraction[count++] = 1.0;
+    qsort(fraction, (size_t)count, sizeof *fraction, compare);
+    return count;
+}
+
+// The pieces of a side between corners and mouths, at which there are no nodes.
+static pdmc_status add_side(maker *m, int side)
+{
+    pdmc_status status = PDMC_OK;
+    double *fraction = NULL;
+    PDMC_NEW(fraction, 2 + 2 * m->cuts->count);
+    const int count = find_mouths(m, side, fraction);
+    for (int k = 0; k + 1 < count; k++)
+        if (fraction[k + 1] - fraction[k] > 1e-9) PDMC_TRY(add_piece(m, side, fraction[k], fraction[k + 1]));
+done:
+    pdmc_free(fraction);
     return status;
 }
 
@@ -238,7 +280,8 @@ pdmc_status pdmc_visible_nodes_create(const pdmc_problem *problem, const pdmc_cu
     PDMC_TRY(pdmc_grid_create(m.half, 2.0 * m.finest, MOST_NODES, &nodes->grid));
     for (int c = 0; c < cuts->count; c++) {
         PDMC_TRY(add_faces(&m, c));
-        for (int end = -1; end <= 1; end += 2) PDMC_TRY(add_tip(&m, c, end));
+        for (int t = 0; t < 2; t++)
+            if (cuts->cut[c].has_tip[t]) PDMC_TRY(add_tip(&m, c, 2 * t - 1));
     }
     for (int side = PDMC_SIDE_LEFT; side <= PDMC_SIDE_TOP; side++) PDMC_TRY(add_side(&m, side));
     const int fixed = nodes->count;

@@ -24,7 +24,7 @@ typedef struct {
 } pdmc_visible_nodes;
 
 /// Doubled nodes on the faces of the cracks, the last one half a spacing before the tip and none at it; two rings of
-/// nodes round every tip; nodes on the sides of the plate, none at its corners; the inside filled by greedy thinning of
+/// nodes round every tip; nodes on the sides of the plate, none at its corners nor at the mouths of edge cracks; the inside filled by greedy thinning of
 /// a low-discrepancy sequence and a little repulsion; and, with `ghosts`, a node outside for every one on a side. No random
 /// numbers.
 /// @param[out] nodes  free with pdmc_visible_nodes_clear(); zero on failure

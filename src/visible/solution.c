@@ -52,9 +52,10 @@ enum { FACE_POINTS = 101 };
 static pdmc_status fill_face(pdmc_disc_sum *sum, int c, pdmc_field *field)
 {
     const pdmc_cut *cut = &sum->visible->cuts.cut[c];
-    const double a = cut->half_length;
+    const double middle = 0.5 * (cut->low + cut->high), a = 0.5 * (cut->high - cut->low);
     for (int i = 0; i < FACE_POINTS; i++) {
-        const double along = -a * cos(M_PI * i / (FACE_POINTS - 1)) * (1.0 - 1e-6); // a tip itself has two values
+        // a tip itself has two values
+        const double along = middle - a * cos(M_PI * i / (FACE_POINTS - 1)) * (1.0 - 1e-6);
         const size_t at = (size_t)(c * FACE_POINTS + i);
         double *x = &field->face_position[2 * at];
         pdmc_cut_global(cut, along, 0.0, x);

@@ -131,6 +131,7 @@ static void find_tip(const pdmc_stencil_field *field, pdmc_stencil *stencil)
         const pdmc_cut *cut = &field->cuts->cut[t / 2];
         const int end = t % 2 ? 1 : -1;
         double tip[2];
+        if (!cut->has_tip[t % 2]) continue;
         pdmc_cut_global(cut, end * cut->half_length, 0.0, tip);
         const double distance = hypot(tip[0] - stencil->centre[0], tip[1] - stencil->centre[1]);
         if (distance >= nearest) continue;

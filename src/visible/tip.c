@@ -28,7 +28,9 @@ pdmc_status pdmc_visible_stress_intensity_rows(const pdmc_visible *visible, int 
 {
     const pdmc_problem *problem = visible->problem;
     const pdmc_gradient_functional functional = {PDMC_STENCIL_NODES, visible, gradient_at};
-    const double wanted = fmax(visible->cuts.cut[tip / 2].half_length, 2.0 * problem->solver.horizon);
+    const pdmc_cut *cut = &visible->cuts.cut[tip / 2];
+    const double half_length = 0.5 * (cut->high - cut->low);
+    const double wanted = fmax(half_length, 2.0 * problem->solver.horizon);
     return pdmc_interaction_rows(problem, tip, pdmc_interaction_radius(problem, tip, wanted), &functional, row_1,
                                  row_2);
 }
@@ -37,6 +39,7 @@ pdmc_status pdmc_visible_tip(const pdmc_visible *visible, int tip, pdmc_tip *out
 {
     const pdmc_problem *problem = visible->problem;
     PDMC_REQUIRE(0 <= tip && tip < 2 * problem->crack_count, "tip %d: there are %d", tip, 2 * problem->crack_count);
+    PDMC_REQUIRE(pdmc_problem_is_tip(problem, tip), "end %d of the cracks is no tip", tip);
     pdmc_status status = PDMC_OK;
     const int n = visible->unknowns;
     const pdmc_tip_frame frame = pdmc_tip_frame_of(problem, tip);

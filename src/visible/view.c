@@ -3,23 +3,48 @@
 
 #include "base/base_impl.h"
 
+#include <float.h>
 #include <math.h>
+
+// The stretch of the line centre + s (cosine, sine) that is inside the plate, within low <= s <= high.
+static void clip(const pdmc_plate *plate, pdmc_cut *cut)
+{
+    const double half[2] = {0.5 * plate->width, 0.5 * plate->height}, direction[2] = {cut->cosine, cut->sine};
+    for (int k = 0; k < 2; k++) {
+        if (fabs(direction[k]) < DBL_EPSILON) continue;
+        const double middle = -cut->centre[k] / direction[k], reach = half[k] / fabs(direction[k]);
+        cut->low = fmax(cut->low, middle - reach);
+        cut->high = fmin(cut->high, middle + reach);
+    }
+}
+
+static pdmc_cut cut_of(const pdmc_problem *problem, int c)
+{
+    const double *from = problem->cracks[c].from, *to = problem->cracks[c].to;
+    const double length = hypot(to[0] - from[0], to[1] - from[1]);
+    const double outside = problem->plate.width + problem->plate.height;
+    pdmc_cut cut = {.cosine = (to[0] - from[0]) / length, .sine = (to[1] - from[1]) / length};
+    double end[2] = {0.0, length}; // from "from"
+    for (int t = 0; t < 2; t++) {
+        cut.has_tip[t] = pdmc_problem_is_tip(problem, 2 * c + t);
+        if (!cut.has_tip[t]) end[t] += t == 0 ? -outside : outside;
+    }
+    cut.half_length = 0.5 * (end[1] - end[0]);
+    const double middle = 0.5 * (end[0] + end[1]);
+    cut.centre[0] = from[0] + middle * cut.cosine;
+    cut.centre[1] = from[1] + middle * cut.sine;
+    cut.low = -cut.half_length;
+    cut.high = cut.half_length;
+    clip(&problem->plate, &cut);
+    return cut;
+}
 
 pdmc_status pdmc_cuts_create(const pdmc_problem *problem, pdmc_cuts *cuts)
 {
     pdmc_status status = PDMC_OK;
     *cuts = (pdmc_cuts){.count = problem->crack_count};
     PDMC_NEW(cuts->cut, cuts->count);
-    for (int c = 0; c < cuts->count; c++) {
-        const double *from = problem->cracks[c].from, *to = problem->cracks[c].to;
-        const double length = hypot(to[0] - from[0], to[1] - from[1]);
-        cuts->cut[c] = (pdmc_cut){
-            .centre = {0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])},
-            .half_length = 0.5 * length,
-            .cosine = (to[0] - from[0]) / length,
-            .sine = (to[1] - from[1]) / length,
-        };
-    }
+    for (int c = 0; c < cuts->count; c++) cuts->cut[c] = cut_of(problem, c);
 done:
     return status;
 }

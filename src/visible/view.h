@@ -5,10 +5,14 @@
 
 #include "pdmc/problem.h"
 
-/// A crack in its own frame: local x along it from its middle, local y to the left of from -> to.
+/// What a crack cuts, in its own frame: local x along it from its middle, local y to the left of from -> to. Where the
+/// crack's end is not a tip, since it lies on the plate's edge or beyond, the cut goes on far outside: nothing sees
+/// round a mouth.
 typedef struct {
     double centre[2], half_length; // length
     double cosine, sine;           // of its direction
+    double low, high;              // local x of the ends of the part inside the plate
+    bool has_tip[2];               // whether its "from" is a tip, its "to"
 } pdmc_cut;
 
 /// A point from which one looks: off the cracks, or on a face.

@@ -139,8 +139,9 @@ static void defaults_out_of_range(void **state)
                            "solver = { };\n",
                            &study),
                  PDMC_ERR_CONFIG);
-    assert_string_equal(pdmc_last_error(), "study.cfg:4: solver.spacing: the default, min(width, height) / 20, / 100 of "
-                                           "the bond method, is not allowed, must be > 0");
+    assert_string_equal(pdmc_last_error(),
+                        "study.cfg:4: solver.spacing: the default, min(width, height) / 20, / 100 of "
+                        "the bond method, is not allowed, must be > 0");
 }
 
 static void wrong_words(void **state)
@@ -258,15 +259,17 @@ static void cracks_in_wrong_places(void **state)
         {LINE_CRACKS, "cracks = ( { from = [-4, 0]; to = [4, 0]; } );",
          "study.cfg:4: cracks[0]: \"crack1\" has no tip inside the plate, must have at least one"},
         {LINE_CRACKS, "cracks = ( { name = \"edge\"; from = [-3, 0]; to = [0, 0]; } );",
-         "study.cfg:4: cracks[0].from: \"edge\" ends outside the plate or on its edge: that needs method = \"bond\", or "
-         "a tip inside"},
+         "study.cfg:4: cracks[0].from: \"edge\" ends outside the plate or on its edge: that needs crack_model = "
+         "\"visible\" or method = \"bond\", or a tip inside"},
         {LINE_CRACKS, "cracks = ( { from = [0.0, 0.0]; to = [0.0, 2.1]; } );",
-         "study.cfg:4: cracks[0].to: \"crack1\" ends outside the plate or on its edge: that needs method = \"bond\", or "
-         "a tip inside"},
+         "study.cfg:4: cracks[0].to: \"crack1\" ends outside the plate or on its edge: that needs crack_model = "
+         "\"visible\" or method = \"bond\", or a tip inside"},
         {LINE_CRACKS, "cracks = ( { from = [-1, 0]; to = [1, 0]; },\n { from = [0, -1]; to = [0, 1]; } );",
-         "study.cfg:5: cracks[1]: \"crack2\" crosses or touches \"crack1\": that needs method = \"bond\", or cracks apart"},
+         "study.cfg:5: cracks[1]: \"crack2\" crosses or touches \"crack1\": that needs method = \"bond\", or cracks "
+         "apart"},
         {LINE_CRACKS, "cracks = ( { from = [-1, 0]; to = [1, 0]; }, { from = [1, 0]; to = [2, 1]; } );",
-         "study.cfg:4: cracks[1]: \"crack2\" crosses or touches \"crack1\": that needs method = \"bond\", or cracks apart"},
+         "study.cfg:4: cracks[1]: \"crack2\" crosses or touches \"crack1\": that needs method = \"bond\", or cracks "
+         "apart"},
         {LINE_CRACKS,
          "cracks = ( { name = \"crack2\"; from = [-1, 0]; to = [1, 0]; }, { from = [-1, 1]; to = [1, 1]; } );",
          "study.cfg:4: cracks[1].name: \"crack2\" is the name of an earlier crack too, must be another"},

@@ -232,19 +232,20 @@ static inline void bond_solve(bond_grid *g)
     bond_mirror(g, g->u);
 }
 
-/// The displacement of a face of a crack along the x axis, from the equation itself, u = D^-1 int c e e^T / r u dA over
-/// the half disc: x at a whole number of spacings, side 1 above, -1 below.
-static inline void bond_face(const bond_grid *g, double x, int side, double u[2])
+/// The displacement of a face of a crack along x, from the equation itself, u = D^-1 int c e e^T / r u dA over the half
+/// disc: the point at whole numbers of spacings, side 1 above, -1 below.
+static inline void bond_face(const bond_grid *g, const double at[2], int side, double u[2])
 {
     enum { FINE = 24 };
-    const int m = g->problem->cells + 1, column = g->side / 2 + (int)round(x / g->spacing);
+    const int m = g->problem->cells + 1, column = g->side / 2 + (int)round(at[0] / g->spacing);
+    const int row = g->side / 2 + (int)round(at[1] / g->spacing);
     double D[3] = {0.0, 0.0, 0.0}, b[2] = {0.0, 0.0};
     for (int k = 0; k < 2 * m * m * FINE * FINE; k++) {
         const int cell = k / (FINE * FINE), part = k % (FINE * FINE), i = cell % (2 * m) - m, j = cell / (2 * m);
         const double px = i + (part % FINE + 0.5) / FINE, py = side * (j + (part / FINE + 0.5) / FINE);
         const double r2 = px * px + py * py, f = 1.0 / (r2 * sqrt(r2));
         if (r2 > g->problem->cells * g->problem->cells) continue;
-        const int node = (g->side / 2 + (side > 0 ? j : -1 - j)) * g->side + column + i;
+        const int node = (row + (side > 0 ? j : -1 - j)) * g->side + column + i;
         const double along = f * (px * g->u[0][node] + py * g->u[1][node]);
         D[0] += f * px * px;
         D[1] += f * px * py;

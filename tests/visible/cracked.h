@@ -6,6 +6,8 @@
 #include "kansa/plate.h"
 #include "visible/visible.h"
 
+#include <complex.h>
+
 /// A plate without cracks and loads, nodes delta / refinement apart near the cracks that are to come.
 static inline void cracked_make(plate *p, double size, double horizon, int refinement)
 {
@@ -21,6 +23,16 @@ static inline void cracked_load(plate *p, const double s[3])
     plate_load(p, PDMC_SIDE_LEFT, -s[0], -s[2]);
     plate_load(p, PDMC_SIDE_TOP, s[2], s[1]);
     plate_load(p, PDMC_SIDE_BOTTOM, -s[2], -s[1]);
+}
+
+/// A crack of half length a along x in an infinite plane of E = 1 under unit tension across it, in the local limit.
+static inline void cracked_in_plane(const double middle[2], double a, const double x[2], double u[2])
+{
+    const double E = 1.0, nu = 1.0 / 3.0, mu = 0.5 * E / (1.0 + nu), kappa = (3.0 - nu) / (1.0 + nu);
+    const double complex z = x[0] - middle[0] + I * (x[1] - middle[1]), root = csqrt(z - a) * csqrt(z + a);
+    const double complex biaxial = 0.5 * (kappa * root - conj(root) - (z - conj(z)) * conj(z / root)) / (2.0 * mu);
+    u[0] = creal(biaxial) - creal(z) / E;
+    u[1] = cimag(biaxial) + nu * cimag(z) / E;
 }
 
 typedef pdmc_status (*cracked_displacement)(const void *model, const double x[2], const double anchor[2], double u[2]);

@@ -14,7 +14,7 @@ typedef struct {
 static void cracked_along_x(cracked *c, double from)
 {
     *c = (cracked){.crack = {"crack", {from, 0.0}, {10.0, 0.0}}};
-    c->problem = (pdmc_problem){.crack_count = 1, .cracks = &c->crack};
+    c->problem = (pdmc_problem){.plate = {100.0, 100.0, 1.0}, .crack_count = 1, .cracks = &c->crack};
     CHECK_OK(pdmc_cuts_create(&c->problem, &c->cuts));
 }
 

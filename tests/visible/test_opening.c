@@ -2,8 +2,6 @@
 #include "visible/bond_grid.h"
 #include "visible/cracked.h"
 
-#include <complex.h>
-
 static pdmc_kansa *local; // the local limit, delta -> 0
 
 static void local_displacement(const double x[2], double u[2])
@@ -42,16 +40,11 @@ static double jump_ratio(const double load[3], double angle, double horizon, int
 
 static const double tension[3] = {0.0, 1.0, 0.0}, shear[3] = {0.0, 0.0, 1.0};
 
-// A crack of half length 0.5 in an infinite plane under tension across it, in the local limit, its middle at `middle`.
-static double middle[2];
+static double middle[2]; // of the crack
 
 static void in_a_plane(const double x[2], double u[2])
 {
-    const double a = 0.5, E = 1.0, nu = 1.0 / 3.0, mu = 0.5 * E / (1.0 + nu), kappa = (3.0 - nu) / (1.0 + nu);
-    const double complex z = x[0] - middle[0] + I * (x[1] - middle[1]), root = csqrt(z - a) * csqrt(z + a);
-    const double complex biaxial = 0.5 * (kappa * root - conj(root) - (z - conj(z)) * conj(z / root)) / (2.0 * mu);
-    u[0] = creal(biaxial) - creal(z) / E;
-    u[1] = cimag(biaxial) + nu * cimag(z) / E;
+    cracked_in_plane(middle, 0.5, x, u);
 }
 
 // The opening of the middle by a grid of bonds in |x|, |y| < half, those displacements outside.
@@ -70,7 +63,7 @@ static double opening_of_grid(double horizon, double half, int cells)
     middle[0] = middle[1] = 0.0;
     bond_create(&problem, &grid);
     bond_solve(&grid);
-    bond_face(&grid, 0.0, 1, face);
+    bond_face(&grid, middle, 1, face);
     bond_destroy(&grid);
     return 2.0 * face[1];
 }
