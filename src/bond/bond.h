@@ -51,8 +51,9 @@ PDMC_NODISCARD pdmc_status pdmc_bond_displacement(const pdmc_bond *bond, const d
 /// Name, position and direction of a tip, with K_I and K_II by the interaction integral; T is NaN.
 PDMC_NODISCARD pdmc_status pdmc_bond_tip(const pdmc_bond *bond, int tip, pdmc_tip *out);
 
-/// K_I and K_II of a tip as functionals of the unknowns, by the interaction integral beyond the horizon.
-/// @param[in,out] row_1, row_2  [unknowns] added to
+/// K_I and K_II of a tip as functionals of the unknowns, by the interaction integral beyond the horizon, with the modulus
+/// that the grid has: its stresses are those of the loads whatever its areas sum to.
+/// @param[in,out] row_1, row_2  [unknowns] zero on entry
 PDMC_NODISCARD pdmc_status pdmc_bond_stress_intensity_rows(const pdmc_bond *bond, int tip, double row_1[],
                                                            double row_2[]);
 

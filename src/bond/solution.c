@@ -4,6 +4,7 @@
 #include "discretisation/interaction.h"
 
 #include <cblas.h>
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -49,6 +50,18 @@ static pdmc_status gradient_at(const void *method, const double x[2], int *count
     return PDMC_OK;
 }
 
+// The modulus of the grid over that of the material: energies of an isotropic stretch. Averaged over the directions of the
+// grid it is the ratio of all stiffnesses.
+static double modulus_of_grid(const pdmc_bond *bond)
+{
+    const pdmc_bond_horizon *horizon = &bond->plate.horizon;
+    const double delta = bond->problem->solver.horizon, c = pdmc_micromodulus(&bond->problem->material, delta);
+    double sum = 0.0;
+    for (int k = 0; k < horizon->count; k++)
+        sum += horizon->neighbour[k].stiffness * gsl_pow_2(horizon->neighbour[k].length);
+    return sum / (2.0 * M_PI / 3.0 * c * gsl_pow_3(delta));
+}
+
 // Beyond two horizons the field is that of local elasticity, and the half length is where the contour has most room.
 pdmc_status pdmc_bond_stress_intensity_rows(const pdmc_bond *bond, int tip, double row_1[], double row_2[])
 {
@@ -57,7 +70,10 @@ pdmc_status pdmc_bond_stress_intensity_rows(const pdmc_bond *bond, int tip, doub
     const double half_length = 0.5 * hypot(crack->to[0] - crack->from[0], crack->to[1] - crack->from[1]);
     const pdmc_gradient_functional functional = {PDMC_BOND_POINT_NODES, bond, gradient_at};
     const double radius = pdmc_interaction_radius(problem, tip, fmax(half_length, 2.0 * problem->solver.horizon));
-    return pdmc_interaction_rows(problem, tip, radius, &functional, row_1, row_2);
+    const pdmc_status status = pdmc_interaction_rows(problem, tip, radius, &functional, row_1, row_2);
+    cblas_dscal(bond->unknowns, modulus_of_grid(bond), row_1, 1);
+    cblas_dscal(bond->unknowns, modulus_of_grid(bond), row_2, 1);
+    return status;
 }
 
 pdmc_status pdmc_bond_tip(const pdmc_bond *bond, int tip, pdmc_tip *out)
