@@ -201,6 +201,10 @@ PDMC_API int pdmc_problem_crack_at(const pdmc_problem *problem, const double x[2
 /// Whether a crack's end is inside the plate, and so a tip; not on its edge or beyond.
 PDMC_API bool pdmc_problem_is_tip(const pdmc_problem *problem, int tip);
 
+/// The part of a crack that is inside the plate: `from` and `to`, or where the crack goes through an edge.
+/// @param[out] ends  from and to, length
+PDMC_API void pdmc_problem_crack_inside(const pdmc_problem *problem, int crack, double ends[2][2]);
+
 /// The speed of plane pressure waves, sqrt(3 mu / rho) with lambda = mu, length / time.
 PDMC_API double pdmc_wave_speed(const pdmc_material *material, double density);
 

@@ -74,3 +74,21 @@ bool pdmc_problem_is_tip(const pdmc_problem *problem, int tip)
     const double *end = tip % 2 ? crack->to : crack->from;
     return fabs(end[0]) < 0.5 * problem->plate.width && fabs(end[1]) < 0.5 * problem->plate.height;
 }
+
+void pdmc_problem_crack_inside(const pdmc_problem *problem, int crack, double ends[2][2])
+{
+    const double *from = problem->cracks[crack].from, *to = problem->cracks[crack].to;
+    const double half[2] = {0.5 * problem->plate.width, 0.5 * problem->plate.height};
+    double share[2] = {0.0, 1.0}; // of the way from `from` to `to`
+    for (int k = 0; k < 2; k++) {
+        const double step = to[k] - from[k];
+        if (step == 0.0) continue;
+        const double a = (-half[k] - from[k]) / step, b = (half[k] - from[k]) / step;
+        share[0] = fmax(share[0], fmin(a, b));
+        share[1] = fmin(share[1], fmax(a, b));
+    }
+    for (int end = 0; end < 2; end++)
+        for (int k = 0; k < 2; k++) ends[end][k] = from[k] + share[end] * (to[k] - from[k]);
+    for (int k = 0; k < 2; k++) // without rounding
+        if (share[1] == 1.0) ends[1][k] = to[k];
+}
