@@ -251,18 +251,55 @@ static int side_at(const maker *m, const double x[2])
     return -1;
 }
 
+// How far a ghost is moved along its side for each unit outwards: near the mouth of an oblique crack as much as the
+// crack's cut, so that the ghosts stay on their side of it and at their distance; farther away less and less.
+static double lean_of(const maker *m, const pdmc_visible_node *foot, int normal)
+{
+    double lean = 0.0;
+    for (int t = 0; t < 2 * m->cuts->count; t++) {
+        const pdmc_cut *cut = &m->cuts->cut[t / 2];
+        const double direction[2] = {cut->cosine, cut->sine};
+        double mouth[2];
+        if (cut->has_tip[t % 2]) continue;
+        pdmc_cut_global(cut, t % 2 ? cut->high : cut->low, 0.0, mouth);
+        const double distance = hypot(mouth[0] - foot->view.x[0], mouth[1] - foot->view.x[1]) / foot->spacing;
+        if (distance < 6.0)
+            lean += copysign(1.0, foot->view.x[normal]) * direction[1 - normal] / direction[normal] *
+                    fmin(2.0 - distance / 3.0, 1.0);
+    }
+    return lean;
+}
+
+// The ghosts of one node on a side: one ring takes up the side's conditions, more where the horizon reaches farther than
+// half a spacing beyond it.
+static pdmc_status add_column(maker *m, int foot)
+{
+    pdmc_visible_node ghost = m->nodes->node[foot];
+    const double h = ghost.spacing;
+    const int rings = (int)fmax(ceil(m->problem->solver.horizon / h - 0.5), 1.0);
+    const int normal = ghost.edge == PDMC_SIDE_LEFT || ghost.edge == PDMC_SIDE_RIGHT ? 0 : 1;
+    const double lean = lean_of(m, &ghost, normal), out = copysign(h, ghost.view.x[normal]);
+    pdmc_status status = PDMC_OK;
+    memcpy(ghost.foot, ghost.view.x, sizeof ghost.foot);
+    ghost.inward = foot;
+    for (ghost.ring = 1; ghost.ring <= rings && status == PDMC_OK; ghost.ring++) {
+        ghost.view.x[1 - normal] += h * lean;
+        ghost.view.x[normal] += out;
+        status = add_node(m, &ghost);
+        ghost.inward = m->nodes->count - 1;
+    }
+    return status;
+}
+
 static pdmc_status add_ghosts(maker *m)
 {
     const int count = m->nodes->count;
     pdmc_status status = PDMC_OK;
     for (int i = 0; i < count && status == PDMC_OK; i++) {
-        pdmc_visible_node ghost = m->nodes->node[i];
-        ghost.edge = side_at(m, ghost.view.x);
-        if (ghost.edge < 0) continue;
-        const int normal = ghost.edge == PDMC_SIDE_LEFT || ghost.edge == PDMC_SIDE_RIGHT ? 0 : 1;
-        memcpy(ghost.foot, ghost.view.x, sizeof ghost.foot);
-        ghost.view.x[normal] += copysign(ghost.spacing, ghost.foot[normal]);
-        status = add_node(m, &ghost);
+        pdmc_visible_node *node = &m->nodes->node[i];
+        node->edge = side_at(m, node->view.x);
+        if (node->edge >= 0) status = add_column(m, i);
+        node->edge = -1;
     }
     return status;
 }

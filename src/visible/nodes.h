@@ -14,6 +14,8 @@ typedef struct {
     double spacing; // h there, length
     int edge;       // of a ghost: the side of the plate it belongs to; -1 for a node of the plate
     double foot[2]; // of a ghost: its place on that side
+    int inward;     // of a ghost: the ghost before it on the way out, or the node at its foot
+    int ring;       // of a ghost: 1 next to the side, 2, ..; 0 for a node of the plate
 } pdmc_visible_node;
 
 typedef struct {

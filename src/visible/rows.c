@@ -110,7 +110,7 @@ pdmc_status pdmc_disc_sum_take(pdmc_disc_sum *sum, const pdmc_view *centre)
     return sum->status;
 }
 
-static pdmc_status row_create(int planes, int count, pdmc_block_row *row)
+pdmc_status pdmc_block_row_create(int planes, int count, pdmc_block_row *row)
 {
     pdmc_status status = PDMC_OK;
     *row = (pdmc_block_row){.count = count};
@@ -144,7 +144,7 @@ pdmc_status pdmc_visible_force_row(pdmc_disc_sum *sum, int node, pdmc_block_row 
     pdmc_status status = pdmc_disc_sum_take(sum, &here->view);
     if (status != PDMC_OK) return status;
     place_of(sum, node);
-    status = row_create(sum->planes, sum->count, row);
+    status = pdmc_block_row_create(sum->planes, sum->count, row);
     if (status != PDMC_OK) return status;
     const int own = sum->place[node] - 1;
     memcpy(row->column, sum->list, (size_t)sum->count * sizeof *row->column);
@@ -154,88 +154,5 @@ pdmc_status pdmc_visible_force_row(pdmc_disc_sum *sum, int node, pdmc_block_row 
         add_block(scale, &sum->diagonal[3 * p], &plane[4 * own]);
     }
     for (int k = 0; k < 2; k++) load[k] = scale * sum->known[k];
-    return PDMC_OK;
-}
-
-static const pdmc_support *support_of(const pdmc_problem *problem, int side, int component)
-{
-    for (int s = 0; s < problem->support_count; s++)
-        if ((int)problem->supports[s].side == side && problem->supports[s].held[component])
-            return &problem->supports[s];
-    return NULL;
-}
-
-static double traction_on(const pdmc_problem *problem, int side, int component)
-{
-    double sum = 0.0;
-    for (int l = 0; l < problem->load_count; l++)
-        if ((int)problem->loads[l].side == side) sum += problem->loads[l].traction[component];
-    return sum;
-}
-
-static void outward(int side, double normal[2])
-{
-    normal[0] = side == PDMC_SIDE_LEFT ? -1.0 : side == PDMC_SIDE_RIGHT ? 1.0 : 0.0;
-    normal[1] = side == PDMC_SIDE_BOTTOM ? -1.0 : side == PDMC_SIDE_TOP ? 1.0 : 0.0;
-}
-
-double pdmc_visible_share(int p)
-{
-    static const double share[3] = {1.0, 0.5, 0.1};
-    return p < 3 ? share[p] : 0.0;
-}
-
-// sigma(u) n with sigma_x = mu (3 u_x + v_y), sigma_y = mu (u_x + 3 v_y), tau = mu (u_y + v_x): Hooke's law of a
-// bond-based material, lambda = mu, in both plane assumptions. One row of the block from the gradient's coefficients.
-static void traction_row(const pdmc_visible *visible, const double normal[2], int component, double gx, double gy,
-                         double row[2])
-{
-    const pdmc_material *material = &visible->problem->material;
-    const double mu = 0.5 * material->youngs_modulus / (1.0 + pdmc_poissons_ratio(material->assumption));
-    const double nx = mu * normal[0], ny = mu * normal[1];
-    row[0] = component == 0 ? 3.0 * nx * gx + ny * gy : nx * gy + ny * gx;
-    row[1] = component == 0 ? nx * gy + ny * gx : nx * gx + 3.0 * ny * gy;
-}
-
-static void edge_component(const pdmc_visible *visible, int ghost, int component,
-                           const double gradient[2][PDMC_STENCIL_NODES], const double weight[], pdmc_block_row *row)
-{
-    const pdmc_problem *problem = visible->problem;
-    const pdmc_visible_node *node = &visible->nodes.node[ghost];
-    const bool is_held = support_of(problem, node->edge, component) != NULL;
-    const double stiffness = problem->material.youngs_modulus / node->spacing;
-    double normal[2];
-    outward(node->edge, normal);
-    for (int p = 0; p <= visible->terms; p++) {
-        const double share = p == 0 ? 1.0 : is_held ? 0.0 : pdmc_visible_share(p - 1);
-        for (int k = 0; k < row->count; k++) {
-            double *block = &row->value[((size_t)p * (size_t)row->count + (size_t)k) * 4 + 2 * (size_t)component];
-            if (is_held) block[component] = share * stiffness * weight[k];
-            else traction_row(visible, normal, component, share * gradient[0][k], share * gradient[1][k], block);
-        }
-    }
-}
-
-pdmc_status pdmc_visible_edge_row(const pdmc_visible *visible, int ghost, pdmc_block_row *row, double held[2],
-                                  double load[2])
-{
-    const pdmc_visible_node *node = &visible->nodes.node[ghost];
-    const pdmc_view view = {{node->foot[0], node->foot[1]}, -1, 0};
-    const int owner = pdmc_stencil_owner(&visible->field, &view);
-    if (owner < 0) return pdmc_raise(PDMC_ERR_SINGULAR, "no node is visible from (%g, %g)", view.x[0], view.x[1]);
-    const pdmc_stencil *stencil = &visible->stencils[owner];
-    double weight[PDMC_STENCIL_NODES], gradient[2][PDMC_STENCIL_NODES];
-    const pdmc_status status = row_create(visible->terms + 1, stencil->count, row);
-    if (status != PDMC_OK) return status;
-    memcpy(row->column, stencil->node, (size_t)stencil->count * sizeof *row->column);
-    pdmc_stencil_evaluate(stencil, node->foot, weight);
-    pdmc_stencil_gradient(stencil, node->foot, gradient[0], gradient[1]);
-    for (int component = 0; component < 2; component++) {
-        const pdmc_support *support = support_of(visible->problem, node->edge, component);
-        const double stiffness = visible->problem->material.youngs_modulus / node->spacing;
-        held[component] = support ? stiffness * support->displacement[component] : 0.0;
-        load[component] = support ? 0.0 : traction_on(visible->problem, node->edge, component);
-        edge_component(visible, ghost, component, (const double(*)[PDMC_STENCIL_NODES])gradient, weight, row);
-    }
     return PDMC_OK;
 }

@@ -32,12 +32,6 @@ PDMC_NODISCARD pdmc_status pdmc_disc_sum_take(pdmc_disc_sum *sum, const pdmc_vie
 /// The equations of a node of the plate, c_0 h (D u - int int e e^T u), and their right-hand side.
 PDMC_NODISCARD pdmc_status pdmc_visible_force_row(pdmc_disc_sum *sum, int node, pdmc_block_row *row, double load[2]);
 
-/// The equations of a ghost: its side's tractions, or displacements times E / h where they are held. Tractions scale
-/// with the effective modulus, to which each plane has its share.
-/// @param[out] held, load  [2] right-hand sides
-PDMC_NODISCARD pdmc_status pdmc_visible_edge_row(const pdmc_visible *visible, int ghost, pdmc_block_row *row,
-                                                 double held[2], double load[2]);
+/// An empty row of `count` blocks in each plane; free with pdmc_block_row_clear(), after a failure as well.
+PDMC_NODISCARD pdmc_status pdmc_block_row_create(int planes, int count, pdmc_block_row *row);
 void pdmc_block_row_clear(pdmc_block_row *row);
-
-/// The share of P_p(2 r / delta - 1) in the effective modulus, 3 int_0^1 s^2 P_p(2 s - 1) ds.
-double pdmc_visible_share(int p);

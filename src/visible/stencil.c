@@ -23,7 +23,8 @@ typedef struct {
 static bool is_seen(const void *context, int node)
 {
     const viewer *v = context;
-    return pdmc_view_sees(v->field->cuts, v->from, &v->field->nodes->node[node].view);
+    const pdmc_visible_node *other = &v->field->nodes->node[node];
+    return !(v->field->without_ghosts && other->edge >= 0) && pdmc_view_sees(v->field->cuts, v->from, &other->view);
 }
 
 int pdmc_stencil_owner(const pdmc_stencil_field *field, const pdmc_view *from)

@@ -29,6 +29,7 @@ typedef struct {
     const pdmc_cuts *cuts; // that bound the view
     const pdmc_visible_nodes *nodes;
     bool is_cubic;
+    bool without_ghosts; // of nodes of the plate alone
 } pdmc_stencil_field;
 
 /// @param[in]  node     round which

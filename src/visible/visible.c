@@ -2,7 +2,7 @@
 #include "visible/visible.h"
 
 #include "base/base_impl.h"
-#include "visible/rows.h"
+#include "visible/edge.h"
 #include "visible/system.h"
 
 #include <math.h>
@@ -13,8 +13,8 @@ static pdmc_status prepare(pdmc_visible *visible)
     const pdmc_problem *problem = visible->problem;
     PDMC_TRY(pdmc_cuts_create(problem, &visible->cuts));
     PDMC_TRY(pdmc_visible_nodes_create(problem, &visible->cuts, !visible->data.outside, &visible->nodes));
-    visible->field =
-        (pdmc_stencil_field){&visible->cuts, &visible->nodes, problem->solver.stencil == PDMC_STENCIL_POLYHARMONIC};
+    const bool is_cubic = problem->solver.stencil == PDMC_STENCIL_POLYHARMONIC;
+    visible->field = (pdmc_stencil_field){&visible->cuts, &visible->nodes, is_cubic, false};
     const bool is_random = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_MICROMODULUS) != NULL;
     visible->terms = is_random ? PDMC_VISIBLE_DEGREE + 1 : 0;
     visible->micromodulus = pdmc_micromodulus(&problem->material, problem->solver.horizon);
@@ -48,7 +48,9 @@ static pdmc_status make_stencils(pdmc_visible *visible)
 static pdmc_status make_row(pdmc_visible *visible, pdmc_disc_sum *sum, int i)
 {
     double *held = &visible->load[0][2 * i], *load = &visible->load[1][2 * i];
-    if (visible->nodes.node[i].edge >= 0) return pdmc_visible_edge_row(visible, i, &visible->rows[i], held, load);
+    const int ring = visible->nodes.node[i].ring;
+    if (ring > 1) return pdmc_visible_extension_row(visible, i, &visible->rows[i]);
+    if (ring == 1) return pdmc_visible_edge_row(visible, i, &visible->rows[i], held, load);
     return pdmc_visible_force_row(sum, i, &visible->rows[i], held);
 }
 

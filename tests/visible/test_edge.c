@@ -18,12 +18,13 @@ static void make(plate *p, pdmc_side side, double a, double outside, double hori
     p->tips[0] = 1;
 }
 
-static double factor_of(pdmc_side side, double a, double outside, double horizon)
+static double factor_of(pdmc_side side, double a, double outside, double horizon, double spacing)
 {
     plate p;
     pdmc_visible *visible = NULL;
     pdmc_tip tip;
     make(&p, side, a, outside, horizon);
+    p.problem.solver.spacing = spacing;
     CHECK_OK(pdmc_visible_create(&p.problem, NULL, 1, &visible));
     CHECK_OK(pdmc_visible_tip(visible, 1, &tip));
     CHECK_NEAR(tip.stress_intensity[1], 0.0, 0.01 * tip.stress_intensity[0]);
@@ -32,13 +33,13 @@ static double factor_of(pdmc_side side, double a, double outside, double horizon
 }
 
 // F = K_I / (sigma sqrt(pi a)) of a square plate, 1.229, 1.489 and 1.846 in the local limit, known to 0.5 %: a horizon of
-// 0.1 a adds at most a percent, as it does inside a plate.
+// 0.1 a adds a little, as it does inside a plate. With twice the spacing they are 0.2, 1.1 and 1.8 % above it.
 static void stress_intensity_has_its_local_limit(void **state)
 {
     (void)state;
     const double cases[3][2] = {{0.5, 1.229}, {1.0, 1.489}, {1.5, 1.846}};
     for (int i = 0; i < 3; i++) {
-        const double a = cases[i][0], F = factor_of(PDMC_SIDE_LEFT, a, 0.0, 0.1 * a);
+        const double a = cases[i][0], F = factor_of(PDMC_SIDE_LEFT, a, 0.0, 0.1 * a, 0.125);
         printf("  a / W = %.1f: F = %.4f, local limit %.3f\n", a / 5.0, F, cases[i][1]);
         CHECK_NEAR(F, 1.005 * cases[i][1], 0.01 * cases[i][1]);
     }
@@ -48,10 +49,10 @@ static void stress_intensity_has_its_local_limit(void **state)
 static void sides_are_alike(void **state)
 {
     (void)state;
-    const double left = factor_of(PDMC_SIDE_LEFT, 1.0, 0.0, 0.2);
-    CHECK_NEAR(factor_of(PDMC_SIDE_LEFT, 1.0, 0.7, 0.2), left, 1e-9);
-    CHECK_NEAR(factor_of(PDMC_SIDE_RIGHT, 1.0, 0.1, 0.2), left, 0.005 * left);
-    CHECK_NEAR(factor_of(PDMC_SIDE_BOTTOM, 1.0, 0.1, 0.2), left, 0.005 * left);
+    const double left = factor_of(PDMC_SIDE_LEFT, 1.0, 0.0, 0.2, 0.25);
+    CHECK_NEAR(factor_of(PDMC_SIDE_LEFT, 1.0, 0.7, 0.2, 0.25), left, 1e-9);
+    CHECK_NEAR(factor_of(PDMC_SIDE_RIGHT, 1.0, 0.1, 0.2, 0.25), left, 0.005 * left);
+    CHECK_NEAR(factor_of(PDMC_SIDE_BOTTOM, 1.0, 0.1, 0.2, 0.25), left, 0.005 * left);
 }
 
 // The faces' points end at the mouth, where the crack is open widest.
@@ -79,6 +80,40 @@ static void the_field_ends_at_the_mouth(void **state)
     pdmc_free(field.face_position);
     pdmc_free(field.face_displacement);
     pdmc_visible_destroy(&visible);
+}
+
+// Oblique mouths, whose ghosts lean and whose wedges are sharp, and a tip near a side: solutions with four and with six
+// nodes a horizon are the same to 0.3 %, at a mouth of 45 degrees to 2.2 %. Conditions on a side that are not stable differed by factors.
+static void refinement_changes_little(void **state)
+{
+    (void)state;
+    const double cracks[5][4] = {{-2.5, 0.2, -1.5, 0.0},
+                                 {-2.5, 0.6, -1.5, 0.0},
+                                 {-2.7, -1.2, -1.5, 0.0},
+                                 {0.3, -2.5, 0.0, -1.6},
+                                 {1.3, 0.0, 2.3, 0.0}};
+    for (int i = 0; i < 5; i++) {
+        double K[2][2];
+        for (int k = 0; k < 2; k++) {
+            const double tension[3] = {0.3, 1.0, 0.0};
+            plate p;
+            pdmc_visible *visible = NULL;
+            pdmc_tip tip;
+            cracked_make(&p, 5.0, 0.12, 4 + 2 * k);
+            cracked_load(&p, tension);
+            plate_crack(&p, 0.0, 0.0, 0.5, 0.0);
+            for (int d = 0; d < 2; d++) {
+                p.cracks[0].from[d] = cracks[i][d];
+                p.cracks[0].to[d] = cracks[i][2 + d];
+            }
+            CHECK_OK(pdmc_visible_create(&p.problem, NULL, 2, &visible));
+            CHECK_OK(pdmc_visible_tip(visible, 1, &tip));
+            for (int m = 0; m < 2; m++) K[k][m] = tip.stress_intensity[m];
+            pdmc_visible_destroy(&visible);
+        }
+        printf("  K_I %.4f, %.4f; K_II %.4f, %.4f\n", K[0][0], K[1][0], K[0][1], K[1][1]);
+        for (int m = 0; m < 2; m++) CHECK_NEAR(K[1][m], K[0][m], 0.03 * K[0][0]);
+    }
 }
 
 // Bond energies at the tip: none back along the crack, and the same on both sides of straight ahead but for the nodes.
@@ -112,6 +147,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(stress_intensity_has_its_local_limit),
         cmocka_unit_test(sides_are_alike),
+        cmocka_unit_test(refinement_changes_little),
         cmocka_unit_test(the_field_ends_at_the_mouth),
         cmocka_unit_test(energies_are_symmetric),
     };

@@ -42,7 +42,7 @@ static void nodes_keep_their_distance(void **state)
         assert_true(nearest_other(&nodes, i) > 0.5 * node->spacing);
         if (node->view.crack < 0) assert_true(pdmc_cuts_distance(&cuts, node->view.x) > 0.4 * node->spacing);
         else sides[node->view.side > 0]++;
-        ghosts += node->edge >= 0;
+        ghosts += node->ring == 1;
         on_edge += node->edge < 0 && (fabs(node->view.x[0]) == 2.5 || fabs(node->view.x[1]) == 2.5);
     }
     assert_true(sides[0] == sides[1] && sides[0] >= 20);
