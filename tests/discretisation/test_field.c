@@ -23,7 +23,7 @@ static void nodes_and_both_faces_are_asked_for(void **state)
 {
     (void)state;
     pdmc_crack crack = {"c", {-0.5, 0.0}, {1.5, 0.0}};
-    const pdmc_problem problem = {.crack_count = 1, .cracks = &crack};
+    const pdmc_problem problem = {.plate = {8.0, 8.0, 1.0}, .crack_count = 1, .cracks = &crack};
     const double nodes[6] = {0.0, 0.0, 1.0, 3.0, 2.0, -1.0};
     pdmc_field field;
     CHECK_OK(pdmc_field_fill(&problem, 3, nodes, opened, NULL, &field));
