@@ -304,7 +304,7 @@ static pdmc_status add_ghosts(maker *m)
     return status;
 }
 
-pdmc_status pdmc_visible_nodes_create(const pdmc_problem *problem, const pdmc_cuts *cuts, bool ghosts,
+pdmc_status pdmc_visible_nodes_create(const pdmc_problem *problem, const pdmc_cuts *cuts, bool faces, bool ghosts,
                                       pdmc_visible_nodes *nodes)
 {
     enum { MOST_NODES = 50000 };
@@ -316,7 +316,7 @@ pdmc_status pdmc_visible_nodes_create(const pdmc_problem *problem, const pdmc_cu
     PDMC_NEW(nodes->node, MOST_NODES);
     PDMC_TRY(pdmc_grid_create(m.half, 2.0 * m.finest, MOST_NODES, &nodes->grid));
     for (int c = 0; c < cuts->count; c++) {
-        PDMC_TRY(add_faces(&m, c));
+        if (faces) PDMC_TRY(add_faces(&m, c));
         for (int t = 0; t < 2; t++)
             if (cuts->cut[c].has_tip[t]) PDMC_TRY(add_tip(&m, c, 2 * t - 1));
     }

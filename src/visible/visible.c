@@ -12,9 +12,11 @@ static pdmc_status prepare(pdmc_visible *visible)
     pdmc_status status = PDMC_OK;
     const pdmc_problem *problem = visible->problem;
     PDMC_TRY(pdmc_cuts_create(problem, &visible->cuts));
-    PDMC_TRY(pdmc_visible_nodes_create(problem, &visible->cuts, !visible->data.outside, &visible->nodes));
+    PDMC_TRY(pdmc_visible_nodes_create(problem, &visible->cuts, !visible->data.is_blind, !visible->data.outside,
+                                       &visible->nodes));
     const bool is_cubic = problem->solver.stencil == PDMC_STENCIL_POLYHARMONIC;
-    visible->field = (pdmc_stencil_field){&visible->cuts, &visible->nodes, is_cubic, false};
+    visible->field = (pdmc_stencil_field){visible->data.is_blind ? &visible->none : &visible->cuts, &visible->nodes,
+                                          is_cubic, false};
     const bool is_random = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_MICROMODULUS) != NULL;
     visible->terms = is_random ? PDMC_VISIBLE_DEGREE + 1 : 0;
     visible->micromodulus = pdmc_micromodulus(&problem->material, problem->solver.horizon);
@@ -99,7 +101,7 @@ pdmc_status pdmc_visible_create(const pdmc_problem *problem, const pdmc_visible_
     pdmc_visible *made = NULL;
     const double start = pdmc_seconds();
     pdmc_blas_prepare();
-    if (!data) PDMC_TRY(pdmc_problem_check_equilibrium(problem));
+    if (!data || !data->outside) PDMC_TRY(pdmc_problem_check_equilibrium(problem));
     PDMC_NEW(made, 1);
     made->problem = problem;
     made->threads = threads;

@@ -14,9 +14,10 @@
 
 typedef struct pdmc_visible pdmc_visible;
 
-/// What a test may ask for beyond a problem.
+/// What a test may ask for beyond a problem; without `outside` the problem's loads hold.
 typedef struct {
     void (*outside)(const double x[2], double u[2]); // displacements outside the plate, in place of its loads
+    bool is_blind; // stencils of the nearest nodes, seen or not, none of them on faces: to show what visibility is for
 } pdmc_visible_data;
 
 /// Assembles and factors the mean operator and solves for the problem's mean loads.

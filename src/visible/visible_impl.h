@@ -19,6 +19,7 @@ struct pdmc_visible {
     pdmc_visible_data data;
     int threads;
     pdmc_cuts cuts;
+    pdmc_cuts none; // what blind stencils see
     pdmc_visible_nodes nodes;
     pdmc_stencil_field field;
     pdmc_stencil *stencils; // [nodes]

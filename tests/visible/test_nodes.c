@@ -33,7 +33,7 @@ static void nodes_keep_their_distance(void **state)
     pdmc_visible_nodes nodes;
     int sides[2] = {0, 0}, ghosts = 0, on_edge = 0;
     make_plate(&p, &cuts);
-    CHECK_OK(pdmc_visible_nodes_create(&p.problem, &cuts, true, &nodes));
+    CHECK_OK(pdmc_visible_nodes_create(&p.problem, &cuts, true, true, &nodes));
     assert_int_equal(nodes.count, nodes.grid.count);
     for (int i = 0; i < nodes.count; i++) {
         const pdmc_visible_node *node = &nodes.node[i];
@@ -60,7 +60,7 @@ static void nodes_leave_no_holes(void **state)
     pdmc_visible_nodes nodes;
     double worst = 0.0;
     make_plate(&p, &cuts);
-    CHECK_OK(pdmc_visible_nodes_create(&p.problem, &cuts, false, &nodes));
+    CHECK_OK(pdmc_visible_nodes_create(&p.problem, &cuts, true, false, &nodes));
     for (int k = 0; k < 100 * 100; k++) {
         const double x[2] = {(k % 100 - 49.5) * 0.05, (k / 100 - 49.5) * 0.05};
         int found;
@@ -117,7 +117,8 @@ static void every_refused_allocation_is_reported(void **state)
     make_plate(&p, &cuts);
     p.problem.solver.spacing = 1.0;
     p.problem.solver.refinement = 2;
-    CHECK_FAILS_CLEANLY(pdmc_visible_nodes_create(&p.problem, &cuts, true, &nodes), pdmc_visible_nodes_clear(&nodes));
+    CHECK_FAILS_CLEANLY(pdmc_visible_nodes_create(&p.problem, &cuts, true, true, &nodes),
+                        pdmc_visible_nodes_clear(&nodes));
     pdmc_cuts_clear(&cuts);
 }
 
