@@ -63,8 +63,8 @@ static bool is_of_plate(const void *context, int node)
     return other->edge < 0 && pdmc_view_sees(&v->visible->cuts, v->from, &other->view);
 }
 
-// The derivative along the side at a ghost's foot: of the cubic that fits the nodes within 1.5 horizons best. Its weights
-// are the shortest that give the derivatives of all cubics.
+// The derivative along the side at a ghost's foot: of the cubic that fits the nodes within 1.5 horizons best. Its
+// weights are the shortest that give the derivatives of all cubics.
 static pdmc_status find_slope(const pdmc_visible *visible, int ghost, const double tangent[2], slope *along)
 {
     pdmc_status status = PDMC_OK;
@@ -96,8 +96,8 @@ done:
     return status;
 }
 
-// The gradient at a foot, and its displacement, over the columns of a row: the nodes of the stencil, the ghost, the nodes
-// of the slope.
+// The gradient at a foot, and its displacement, over the columns of a row: the nodes of the stencil, the ghost, the
+// nodes of the slope.
 enum { MOST_COLUMNS = PDMC_STENCIL_NODES + 1 + MOST_FITTED };
 
 typedef struct {

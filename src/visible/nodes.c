@@ -270,8 +270,8 @@ static double lean_of(const maker *m, const pdmc_visible_node *foot, int normal)
     return lean;
 }
 
-// The ghosts of one node on a side: one ring takes up the side's conditions, more where the horizon reaches farther than
-// half a spacing beyond it.
+// The ghosts of one node on a side: one ring takes up the side's conditions, more where the horizon reaches farther
+// than half a spacing beyond it.
 static pdmc_status add_column(maker *m, int foot)
 {
     pdmc_visible_node ghost = m->nodes->node[foot];

@@ -25,10 +25,10 @@ typedef struct {
     pdmc_grid grid;          // of all nodes, in their order
 } pdmc_visible_nodes;
 
-/// With `faces` doubled nodes on the faces of the cracks, the last one half a spacing before the tip and none at it; two rings of
-/// nodes round every tip; nodes on the sides of the plate, none at its corners nor at the mouths of edge cracks; the inside filled by greedy thinning of
-/// a low-discrepancy sequence and a little repulsion; and, with `ghosts`, a node outside for every one on a side. No random
-/// numbers.
+/// With `faces` doubled nodes on the faces of the cracks, the last one half a spacing before the tip and none at it;
+/// two rings of nodes round every tip; nodes on the sides of the plate, none at its corners nor at the mouths of edge
+/// cracks; the inside filled by greedy thinning of a low-discrepancy sequence and a little repulsion; and, with
+/// `ghosts`, nodes outside for every one on a side, as far as the horizon reaches. No random numbers.
 /// @param[out] nodes  free with pdmc_visible_nodes_clear(); zero on failure
 PDMC_NODISCARD pdmc_status pdmc_visible_nodes_create(const pdmc_problem *problem, const pdmc_cuts *cuts, bool faces,
                                                      bool ghosts, pdmc_visible_nodes *nodes);

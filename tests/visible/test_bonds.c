@@ -132,8 +132,8 @@ static void an_edge_crack_opens_as_bonds_let_it(void **state)
     compare(&s, refinements, 2, 0.01);
 }
 
-// At nodes of one grid beside a crack, ahead of it and away from it. The opening is 2; the largest difference is that half
-// a spacing from the tip, where the grid is not refined.
+// At nodes of one grid beside a crack, ahead of it and away from it. The opening is 2; the largest difference is that
+// half a spacing from the tip, where the grid is not refined.
 static void the_field_is_that_of_bonds(void **state)
 {
     (void)state;

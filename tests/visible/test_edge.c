@@ -32,8 +32,8 @@ static double factor_of(pdmc_side side, double a, double outside, double horizon
     return tip.stress_intensity[0] / sqrt(M_PI * a);
 }
 
-// F = K_I / (sigma sqrt(pi a)) of a square plate, 1.229, 1.489 and 1.846 in the local limit, known to 0.5 %: a horizon of
-// 0.1 a adds a little, as it does inside a plate. With twice the spacing they are 0.2, 1.1 and 1.8 % above it.
+// F = K_I / (sigma sqrt(pi a)) of a square plate, 1.229, 1.489 and 1.846 in the local limit, known to 0.5 %: a horizon
+// of 0.1 a adds a little, as it does inside a plate. With twice the spacing they are 0.2, 1.1 and 1.8 % above it.
 static void stress_intensity_has_its_local_limit(void **state)
 {
     (void)state;
@@ -83,7 +83,8 @@ static void the_field_ends_at_the_mouth(void **state)
 }
 
 // Oblique mouths, whose ghosts lean and whose wedges are sharp, and a tip near a side: solutions with four and with six
-// nodes a horizon are the same to 0.3 %, at a mouth of 45 degrees to 2.2 %. Conditions on a side that are not stable differed by factors.
+// nodes a horizon are the same to 0.3 %, at a mouth of 45 degrees to 2.2 %. Conditions on a side that are not stable
+// differed by factors.
 static void refinement_changes_little(void **state)
 {
     (void)state;
