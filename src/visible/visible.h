@@ -5,7 +5,7 @@
 ///     int int c(r) e e^T [u(x) - u(x + r e)] dr dtheta = 0   over the part of the disc that x sees,
 /// e = (cos theta, sin theta), at every node, those on the faces of the cracks included (Evangelatos & Spanos 2011, eq.
 /// 24 with the truncation of section 4.2); u between the nodes by stencils of visible nodes, which jump across the
-/// cracks. Beyond the plate's sides the stencils extrapolate: a ring of ghost nodes outside them takes up the
+/// cracks. Beyond the plate's sides the stencils extrapolate: rings of ghost nodes outside them take up the
 /// conditions sigma(u) n = t or u = u_0 there. No condition is needed on the faces. The system is square, sparse and
 /// unsymmetric.
 
