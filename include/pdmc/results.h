@@ -61,6 +61,7 @@ typedef struct {
     double typical_error[PDMC_MEASURES]; // the median of those bounds
     double solved_in_full;               // samples whose energy was too near to G_c for the reduced model
 } pdmc_sample_accuracy;
+extern PDMC_API const pdmc_sample_accuracy pdmc_no_accuracy; // NaN throughout
 
 /// The plate as it was discretised, and its displacement at the mean.
 typedef struct {

@@ -115,11 +115,22 @@ done:
     return status;
 }
 
+// Whether the file has no link of the path, or none of a group on the way: HDF5 can only be asked step by step.
+static bool is_missing(hid_t file, const char *path)
+{
+    char part[128];
+    for (const char *end = strchr(path + 1, '/');; end = strchr(end + 1, '/')) {
+        snprintf(part, sizeof part, "%.*s", (int)(end ? end - path : (ptrdiff_t)strlen(path)), path);
+        if (H5Lexists(file, part, H5P_DEFAULT) == 0) return true;
+        if (!end) return false;
+    }
+}
+
 static pdmc_status read_dataset(hid_t file, pdmc_results *results, bool known[], const pdmc_dataset *dataset)
 {
     pdmc_status status = PDMC_OK;
     hid_t object = H5I_INVALID_HID;
-    if (pdmc_dataset_may_be_missing(dataset) && H5Lexists(file, dataset->path, H5P_DEFAULT) == 0) {
+    if (pdmc_dataset_may_be_missing(dataset) && is_missing(file, dataset->path)) {
         *(double *)pdmc_dataset_memory(results, dataset) = NAN;
         return PDMC_OK;
     }

@@ -5,6 +5,7 @@
 #include "results/whole_file.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static pdmc_status describe(hid_t object, const pdmc_results *results, const pdmc_dataset *dataset)
@@ -24,19 +25,33 @@ done:
     return status;
 }
 
-/// Creates a dataset with the folders on its path, without the times that would make equal files differ.
+// Creates the folders on a path that are not there yet, without the times that would make equal files differ.
+static void create_folders(hid_t file, const char *path)
+{
+    const hid_t creation = H5Pcreate(H5P_GROUP_CREATE);
+    char part[128];
+    H5Pset_obj_track_times(creation, false);
+    for (const char *end = strchr(path + 1, '/'); end; end = strchr(end + 1, '/')) {
+        snprintf(part, sizeof part, "%.*s", (int)(end - path), path);
+        if (H5Lexists(file, part, H5P_DEFAULT) == 0)
+            pdmc_h5_close(H5Gcreate2(file, part, H5P_DEFAULT, creation, H5P_DEFAULT));
+    }
+    pdmc_h5_close(creation);
+}
+
+/// Creates a dataset with the folders on its path; a failure of theirs is a failure of its own.
 static hid_t create_dataset(hid_t file, const pdmc_results *results, const pdmc_dataset *dataset, hid_t type)
 {
     hsize_t extents[PDMC_MAX_RANK];
     const size_t rank = pdmc_dataset_rank(dataset);
     for (size_t i = 0; i < rank; i++) extents[i] = pdmc_dimension_size(results, dataset->axes[i]);
     const hid_t space = rank > 0 ? H5Screate_simple((int)rank, extents, NULL) : H5Screate(H5S_SCALAR);
-    const hid_t links = H5Pcreate(H5P_LINK_CREATE), creation = H5Pcreate(H5P_DATASET_CREATE);
+    const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
     hid_t object = H5I_INVALID_HID;
-    if (space >= 0 && H5Pset_create_intermediate_group(links, 1) >= 0 && H5Pset_obj_track_times(creation, 0) >= 0)
-        object = H5Dcreate2(file, dataset->path, type, space, links, creation, H5P_DEFAULT);
+    create_folders(file, dataset->path);
+    if (space >= 0 && H5Pset_obj_track_times(creation, 0) >= 0)
+        object = H5Dcreate2(file, dataset->path, type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
     pdmc_h5_close(creation);
-    pdmc_h5_close(links);
     pdmc_h5_close(space);
     return object;
 }
@@ -168,9 +183,13 @@ static pdmc_status write_hdf5(const pdmc_results *results, pdmc_whole_file *whol
     const void *image = NULL;
     size_t size = 0;
     hid_t file = H5I_INVALID_HID;
-    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS), creation = H5Pcreate(H5P_FILE_CREATE);
     PDMC_H5_TRY(H5Pset_fapl_core(access, GROWTH, false), PDMC_ERR_EXTERN, whole->path);
-    file = H5Fcreate(whole->temporary, H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    // The format of HDF5 1.8 has checksums of all that describes the data: damage there is refused, where readers of the
+    // older one can crash. That of 1.10 would mark the image as open for writing.
+    PDMC_H5_TRY(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), PDMC_ERR_EXTERN, whole->path);
+    PDMC_H5_TRY(H5Pset_obj_track_times(creation, false), PDMC_ERR_EXTERN, whole->path);
+    file = H5Fcreate(whole->temporary, H5F_ACC_TRUNC, creation, access);
     PDMC_H5_TRY(file, PDMC_ERR_EXTERN, whole->path);
     PDMC_TRY(write_everything(file, results));
     PDMC_TRY(file_image(file, whole->path, &image, &size));
@@ -178,6 +197,7 @@ static pdmc_status write_hdf5(const pdmc_results *results, pdmc_whole_file *whol
 
 done:
     pdmc_h5_close(file);
+    pdmc_h5_close(creation);
     pdmc_h5_close(access);
     return status;
 }

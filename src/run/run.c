@@ -160,7 +160,7 @@ pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, p
     const pdmc_problem *problem = &study->problem;
     pdmc_discretisation plate = {0};
     const double start = pdmc_seconds();
-    *results = (pdmc_results){0};
+    *results = (pdmc_results){.accuracy = pdmc_no_accuracy};
     PDMC_TRY(describe_study(study, results));
     PDMC_TRY(describe_geometry(problem, results));
     PDMC_TRY(ask(problem, options));

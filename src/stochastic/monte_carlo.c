@@ -273,7 +273,7 @@ pdmc_status pdmc_monte_carlo(const pdmc_problem *problem, const pdmc_affine *mod
     const bool is_reduced = problem->sampling.inverse == PDMC_INVERSE_REDUCED;
     pdmc_affine reduced = {0};
     run r = {.problem = problem, .model = is_reduced ? &reduced : model, .options = options, .results = results};
-    results->accuracy = (pdmc_sample_accuracy){NAN, NAN, {NAN, NAN}, {NAN, NAN}, NAN};
+    results->accuracy = pdmc_no_accuracy;
     pdmc_blas_prepare();
     PDMC_TRY(allocate_samples(problem, results));
     if (is_reduced) PDMC_TRY(make_reduced(problem, model, options->threads, results, &reduced));

@@ -161,15 +161,17 @@ static void missing_parts_are_named(void **state)
     check_refused(path, PDMC_ERR_DATA, "measure");
 }
 
-static void an_older_file_without_the_memory_is_read(void **state)
+static void an_older_file_without_memory_and_accuracy_is_read(void **state)
 {
     (void)state;
     const char *path = scratch_path("older.h5");
     pdmc_results results;
     const hid_t file = open_copy(path);
     H5Ldelete(file, "/runtime/peak_memory", H5P_DEFAULT);
+    H5Ldelete(file, "/solver/samples", H5P_DEFAULT);
     H5Fclose(file);
     CHECK_OK(pdmc_results_read(path, &results));
+    assert_true(isnan(results.accuracy.iteration_residual));
     assert_true(isnan(results.runtime.peak_memory));
     CHECK_NEAR(results.runtime.total, 6.7, 0.0);
     pdmc_results_clear(&results);
@@ -226,7 +228,7 @@ int main(void)
         cmocka_unit_test(another_version_is_refused),
         cmocka_unit_test(contradictions_are_refused),
         cmocka_unit_test(missing_parts_are_named),
-        cmocka_unit_test(an_older_file_without_the_memory_is_read),
+        cmocka_unit_test(an_older_file_without_memory_and_accuracy_is_read),
         cmocka_unit_test(damaged_bytes_never_crash),
         cmocka_unit_test(a_compressed_copy_is_read),
     };
