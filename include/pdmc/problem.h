@@ -6,6 +6,7 @@
 /// in radians, counter-clockwise from the x axis. The plate is centred at the origin.
 
 #include "pdmc/base.h"
+#include "pdmc/distribution.h"
 
 enum { PDMC_NAME_SIZE = 64 }; // with the terminating zero
 
@@ -43,7 +44,6 @@ typedef struct {
 } pdmc_support;
 
 typedef enum { PDMC_QUANTITY_MICROMODULUS, PDMC_QUANTITY_LOAD } pdmc_quantity;
-typedef enum { PDMC_NORMAL, PDMC_LOGNORMAL } pdmc_distribution_kind;
 
 /// An uncertain quantity.
 /// Micromodulus: "radial noise", c(r) = c_0 (1 + variation * Z_b) with independent standard normal Z_b in each of
