@@ -3,11 +3,11 @@
 
 /// An affine model, what every discretisation gives to the stochastic solvers:
 ///     K(xi) x = s_0 F_0 + s_1 F_1,   K(xi) = K_0 + sum_m xi_m K_m,
-/// F_0 the held displacements, F_1 the loads; x in coordinates of the discretisation's choice. The coefficients xi, the
+/// F_0 the held displacements, F_1 the loads; x in coordinates of the discretisation's choice. The first coefficients xi, the
 /// effective modulus and the weights of the energy are linear in the relative deviations eta_b = c_b / c_0 - 1 of the
-/// micromodulus in its bins.
+/// micromodulus in its bins; the other coefficients are those of a stiffness that varies in space.
 
-#include "pdmc/base.h"
+#include "pdmc/field.h"
 
 typedef struct pdmc_affine pdmc_affine;
 
@@ -42,6 +42,13 @@ typedef struct {
     /// @param[out] z  [PDMC_BLOCK, unknowns]
     pdmc_status (*color)(const pdmc_affine *model, const double g[], double z[]);
 
+    /// u_i' K_m v_j for every term m, where that is cheaper for all terms at once than multiply; NULL elsewhere.
+    /// @param[in]  u    [u_count, unknowns]
+    /// @param[in]  v    [v_count, unknowns]
+    /// @param[out] out  [terms, u_count, v_count]
+    pdmc_status (*project)(const pdmc_affine *model, int u_count, const double u[], int v_count, const double v[],
+                           double out[]);
+
     /// Frees `discretisation`.
     void (*destroy)(void *discretisation);
 } pdmc_affine_verbs;
@@ -61,9 +68,18 @@ enum { PDMC_BOND_ENDS = 4 };
 
 struct pdmc_affine {
     int unknowns, terms, bins;
-    double *term_weight;    // [bins, terms] xi_m = sum_b eta_b term_weight[b][m]
+    /// The first of the terms are those of c(r). Where the model has none although there are bins, c(r) acts by the
+    /// effective modulus alone: K(xi) = (E_eff / E) (K_0 + sum_m xi_m K_m).
+    int radial_terms;
+    double *term_weight;    // [bins, radial_terms] xi_m = sum_b eta_b term_weight[b][m]
     double *modulus_weight; // [bins] E_eff / E = 1 + sum_b eta_b modulus_weight[b]
     double *solution[2];    // [unknowns] each: K_0^-1 F_0 and K_0^-1 F_1
+
+    /// The stiffness in space, whose coefficients are the other terms; NULL where it is the same everywhere. It belongs to
+    /// the discretisation.
+    const pdmc_field *field;
+    double *tip_stiffness;       // [tips, field terms] psi_k at the tip
+    double *direction_stiffness; // [tips, angles, field terms] psi_k where the energy's bonds cross
 
     int tips, angles;
     double *stress_intensity; // [2 tips, unknowns] rows of K_I, K_II of each tip at E_eff = E

@@ -10,7 +10,17 @@
 typedef enum {
     PDMC_STREAM_MICROMODULUS = 1,
     PDMC_STREAM_LOAD = 2,
-    PDMC_STREAM_PROBES = 3 // of the error bound of a reduced model
+    PDMC_STREAM_PROBES = 3, // of the error bound of a reduced model
+    PDMC_STREAM_SCRAMBLE = 4, // of Sobol' sequences and Latin hypercubes
+    PDMC_STREAM_IMPORTANCE = 5,
+    PDMC_STREAM_SUBSET = 6,
+    PDMC_STREAM_SENSITIVITY = 7,
+    PDMC_STREAM_FIELD = 8, // of the stiffness in space
+    PDMC_STREAM_YOUNGS_MODULUS = 9,
+    PDMC_STREAM_FRACTURE_ENERGY = 10,
+    PDMC_STREAM_THICKNESS = 11,
+    PDMC_STREAM_CRACK = 12,
+    PDMC_STREAM_RESAMPLING = 13, // of bootstraps
 } pdmc_stream;
 
 /// Uniform numbers in the open interval (0, 1): the odd multiples of 2^-53, so that 1 - u is exact and as likely as u.
