@@ -22,7 +22,7 @@ typedef struct {
     /// them.
     pdmc_status (*tip)(const void *method, int tip, pdmc_tip *out);
     /// The nodes and the faces of the cracks with their mean displacement.
-    pdmc_status (*field)(const void *method, pdmc_field *field);
+    pdmc_status (*field)(const void *method, pdmc_displacement_field *field);
     /// The affine model of the problem's uncertain quantities; the method must outlive it.
     pdmc_status (*affine)(const void *method, pdmc_affine *model);
     void (*destroy)(void *method);

@@ -71,7 +71,7 @@ typedef struct {
     int face_points;           // points along each crack
     double *face_position;     // [crack_count, face_points, 2] from "from" to "to"
     double *face_displacement; // [crack_count, face_points, 2 (left, right of from -> to), 2]
-} pdmc_field;
+} pdmc_displacement_field;
 
 /// A point whose displacement a dynamic study records.
 typedef struct {
@@ -122,7 +122,7 @@ typedef struct {
     double *nominal_bond_energy_tensile; // [T, A] bonds in tension only
     double *nominal_griffith_energy;     // [T, A]
     pdmc_solver_report solver;
-    pdmc_field field;
+    pdmc_displacement_field field;
 
     pdmc_motion_record motion; // of a dynamic study
 

@@ -34,10 +34,10 @@ static pdmc_status fill_faces(const pdmc_problem *problem, int crack, displaceme
 }
 
 pdmc_status pdmc_field_fill(const pdmc_problem *problem, int count, const double nodes[], displacement_fn *displacement,
-                            const void *method, pdmc_field *field)
+                            const void *method, pdmc_displacement_field *field)
 {
     pdmc_status status = PDMC_OK;
-    *field = (pdmc_field){.node_count = count, .face_points = FACE_POINTS};
+    *field = (pdmc_displacement_field){.node_count = count, .face_points = FACE_POINTS};
     PDMC_NEW(field->node_position, 2 * count);
     PDMC_NEW(field->node_displacement, 2 * count);
     PDMC_NEW(field->face_position, 2 * FACE_POINTS * problem->crack_count);
@@ -54,7 +54,7 @@ done:
         pdmc_free(field->node_displacement);
         pdmc_free(field->face_position);
         pdmc_free(field->face_displacement);
-        *field = (pdmc_field){0};
+        *field = (pdmc_displacement_field){0};
     }
     return status;
 }

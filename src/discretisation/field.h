@@ -13,4 +13,4 @@
 PDMC_NODISCARD pdmc_status pdmc_field_fill(const pdmc_problem *problem, int count, const double nodes[],
                                            pdmc_status (*displacement)(const void *method, const double x[2],
                                                                        const double anchor[2], double u[2]),
-                                           const void *method, pdmc_field *field);
+                                           const void *method, pdmc_displacement_field *field);

@@ -25,7 +25,7 @@ static pdmc_status tip(const void *method, int index, pdmc_tip *out)
     return pdmc_kansa_tip(method, index, out);
 }
 
-static pdmc_status field(const void *method, pdmc_field *out)
+static pdmc_status field(const void *method, pdmc_displacement_field *out)
 {
     pdmc_status status = PDMC_OK;
     const pdmc_kansa *kansa = method;

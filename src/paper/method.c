@@ -36,7 +36,7 @@ static pdmc_status tip(const void *method, int index, pdmc_tip *out)
     return pdmc_paper_tip(method, index, out);
 }
 
-static pdmc_status field(const void *method, pdmc_field *out)
+static pdmc_status field(const void *method, pdmc_displacement_field *out)
 {
     const pdmc_paper *paper = method;
     const pdmc_paper_nodes *nodes = &paper->basis.nodes;

@@ -17,7 +17,7 @@ static double displacement_scale(const pdmc_results *r)
     return power * (leading < 2.0 ? 1.0 : leading < 5.0 ? 2.0 : 5.0);
 }
 
-static void put_nodes(const pdmc_field *field, double scale, FILE *script)
+static void put_nodes(const pdmc_displacement_field *field, double scale, FILE *script)
 {
     fputs("$nodes << EOD\n", script);
     for (size_t i = 0; i < (size_t)field->node_count; i++) {

@@ -23,7 +23,7 @@ static pdmc_status tip(const void *method, int index, pdmc_tip *out)
     return pdmc_visible_tip(method, index, out);
 }
 
-static pdmc_status field(const void *method, pdmc_field *out)
+static pdmc_status field(const void *method, pdmc_displacement_field *out)
 {
     return pdmc_visible_field(method, out);
 }

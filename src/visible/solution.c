@@ -49,7 +49,7 @@ pdmc_status pdmc_visible_displacement(const pdmc_visible *visible, const double 
 
 enum { FACE_POINTS = 101 };
 
-static pdmc_status fill_face(pdmc_disc_sum *sum, int c, pdmc_field *field)
+static pdmc_status fill_face(pdmc_disc_sum *sum, int c, pdmc_displacement_field *field)
 {
     const pdmc_cut *cut = &sum->visible->cuts.cut[c];
     const double middle = 0.5 * (cut->low + cut->high), a = 0.5 * (cut->high - cut->low);
@@ -70,7 +70,7 @@ static pdmc_status fill_face(pdmc_disc_sum *sum, int c, pdmc_field *field)
 }
 
 // The nodes of the plate, without ghosts.
-static void fill_nodes(const pdmc_visible *visible, pdmc_field *field)
+static void fill_nodes(const pdmc_visible *visible, pdmc_displacement_field *field)
 {
     for (int i = 0; i < visible->nodes.count; i++) {
         const pdmc_visible_node *node = &visible->nodes.node[i];
@@ -83,12 +83,12 @@ static void fill_nodes(const pdmc_visible *visible, pdmc_field *field)
     }
 }
 
-pdmc_status pdmc_visible_field(const pdmc_visible *visible, pdmc_field *field)
+pdmc_status pdmc_visible_field(const pdmc_visible *visible, pdmc_displacement_field *field)
 {
     pdmc_status status = PDMC_OK;
     const int cracks = visible->cuts.count;
     pdmc_disc_sum sum = {0};
-    *field = (pdmc_field){.face_points = FACE_POINTS};
+    *field = (pdmc_displacement_field){.face_points = FACE_POINTS};
     PDMC_TRY(pdmc_disc_sum_create(visible, 1, true, &sum));
     PDMC_NEW(field->node_position, visible->unknowns);
     PDMC_NEW(field->node_displacement, visible->unknowns);
@@ -103,7 +103,7 @@ done:
         pdmc_free(field->node_displacement);
         pdmc_free(field->face_position);
         pdmc_free(field->face_displacement);
-        *field = (pdmc_field){0};
+        *field = (pdmc_displacement_field){0};
     }
     return status;
 }

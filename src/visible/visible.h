@@ -41,7 +41,7 @@ void pdmc_visible_runtime(const pdmc_visible *visible, double *assembly, double 
 /// since the stencils, made for nodes at a distance, miss a fifth of the opening near a tip.
 PDMC_NODISCARD pdmc_status pdmc_visible_displacement(const pdmc_visible *visible, const double x[2],
                                                      const double anchor[2], double u[2]);
-PDMC_NODISCARD pdmc_status pdmc_visible_field(const pdmc_visible *visible, pdmc_field *field);
+PDMC_NODISCARD pdmc_status pdmc_visible_field(const pdmc_visible *visible, pdmc_displacement_field *field);
 
 /// Name, position, direction, K_I and K_II of a tip at the mean; T is not known, NaN. The stress intensity factors are
 /// those of the field beyond the horizon, by the interaction integral; see tip.h.

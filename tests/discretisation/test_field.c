@@ -11,7 +11,7 @@ static pdmc_status opened(const void *method, const double x[2], const double an
     return PDMC_OK;
 }
 
-static void free_arrays(pdmc_field *field)
+static void free_arrays(pdmc_displacement_field *field)
 {
     pdmc_free(field->node_position);
     pdmc_free(field->node_displacement);
@@ -25,7 +25,7 @@ static void nodes_and_both_faces_are_asked_for(void **state)
     pdmc_crack crack = {"c", {-0.5, 0.0}, {1.5, 0.0}};
     const pdmc_problem problem = {.plate = {8.0, 8.0, 1.0}, .crack_count = 1, .cracks = &crack};
     const double nodes[6] = {0.0, 0.0, 1.0, 3.0, 2.0, -1.0};
-    pdmc_field field;
+    pdmc_displacement_field field;
     CHECK_OK(pdmc_field_fill(&problem, 3, nodes, opened, NULL, &field));
     assert_int_equal(field.node_count, 3);
     assert_memory_equal(field.node_position, nodes, sizeof nodes);

@@ -128,7 +128,7 @@ static void make_nominal(pdmc_results *r)
 /// Tension along y with Poisson's contraction, and a crack that opens as an ellipse.
 static void make_field(pdmc_results *r)
 {
-    pdmc_field *field = &r->field;
+    pdmc_displacement_field *field = &r->field;
     field->node_count = GRID * GRID;
     field->face_points = FACE_POINTS;
     field->node_position = NEW(2 * GRID * GRID, double);

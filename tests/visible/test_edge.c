@@ -61,7 +61,7 @@ static void the_field_ends_at_the_mouth(void **state)
     (void)state;
     plate p;
     pdmc_visible *visible = NULL;
-    pdmc_field field;
+    pdmc_displacement_field field;
     pdmc_tip tip;
     double before = INFINITY;
     make(&p, PDMC_SIDE_LEFT, 1.0, 0.3, 0.2);

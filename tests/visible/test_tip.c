@@ -51,7 +51,7 @@ static void the_field_holds_nodes_and_faces(void **state)
     (void)state;
     plate p;
     pdmc_visible *visible = NULL;
-    pdmc_field field;
+    pdmc_displacement_field field;
     make_loaded(&p, 0.0, 0.2);
     CHECK_OK(pdmc_visible_create(&p.problem, NULL, 1, &visible));
     CHECK_OK(pdmc_visible_field(visible, &field));
