@@ -37,7 +37,7 @@ typedef struct {
     pdmc_status (*precondition)(const pdmc_affine *model, const double r[], double z[]);
 
     /// Z = K_0^-1/2 G, a root for which the covariance of Z is K_0^-1 where that of G is the identity; on the unknowns that
-    /// are not held, 0 on those. Where K is symmetric every K_m is positive semi-definite.
+    /// are not held, 0 on those.
     /// @param[in]  g  [PDMC_BLOCK, unknowns]
     /// @param[out] z  [PDMC_BLOCK, unknowns]
     pdmc_status (*color)(const pdmc_affine *model, const double g[], double z[]);
@@ -48,6 +48,12 @@ typedef struct {
     /// @param[out] out  [terms, u_count, v_count]
     pdmc_status (*project)(const pdmc_affine *model, int u_count, const double u[], int v_count, const double v[],
                            double out[]);
+
+    /// alpha of each column for which K(xi) >= alpha K_0, K symmetric; NULL where every K_m is positive semi-definite and
+    /// their sum at most K_0, so that the smallest of 1 and 1 + xi_m is one.
+    /// @param[in]  xi     [PDMC_BLOCK, terms]
+    /// @param[out] alpha  [PDMC_BLOCK]
+    pdmc_status (*coercivity)(const pdmc_affine *model, const double xi[], double alpha[]);
 
     /// Frees `discretisation`.
     void (*destroy)(void *discretisation);

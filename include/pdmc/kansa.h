@@ -68,6 +68,34 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_tip(const pdmc_kansa *kansa, int 
 /// @param[out] model  free with pdmc_affine_clear(); zero on failure
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_affine(const pdmc_kansa *kansa, pdmc_affine *model);
 
+/// The weak form of the plate in the same trial functions, for a stiffness that varies in space, E(x) = E M(x): the strain
+/// energy at the points of a rule graded to the tips, so that M needs no gradient. (The rows of the collocation hold it,
+/// and fail: 7 % of K for a wave of four half lengths.) Prescribed displacements by a penalty of 1e4 E / h.
+typedef struct pdmc_kansa_form pdmc_kansa_form;
+
+/// @param[in]  kansa  must outlive the form
+/// @param[out] form   destroy with pdmc_kansa_form_destroy()
+/// @return PDMC_OK, PDMC_ERR_SINGULAR, PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_form_create(const pdmc_kansa *kansa, pdmc_kansa_form **form);
+
+/// NULL is allowed; sets the pointer to NULL.
+PDMC_API void pdmc_kansa_form_destroy(pdmc_kansa_form **form);
+
+/// The derivative of ln G to ln M at the mean, of each of the problem's tips, where G = (K_I^2 + K_II^2) / (E M_tip):
+///     d ln G = sum_j weight_j d ln M(x_j),
+/// from one adjoint solution: -epsilon(adjoint) : C : epsilon(u) at the points of the rule, and 1 at the tip itself, the
+/// last point. The weights add to -1 where there are tractions alone; they are 0 but for the tip where K is.
+/// @return [tips] the form's own
+PDMC_API const pdmc_field_functional *pdmc_kansa_field_sensitivity(const pdmc_kansa_form *form);
+
+/// The affine model of a plate whose stiffness is a random field, in coordinates in which the mean operator is the
+/// identity. c(r) acts by the effective modulus alone. A stress intensity factor of a sample is the row times the solution
+/// times M at the tip.
+/// @param[in]  form, field  must outlive the model
+/// @param[out] model        free with pdmc_affine_clear(); zero on failure
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_kansa_field_affine(const pdmc_kansa_form *form, const pdmc_field *field,
+                                                            pdmc_affine *model);
+
 /// The plate as the integration of its motion sees it: the weak form in the same trial functions, in which mass and
 /// stiffness are symmetric and energy is conserved. (The rows of the collocation, with inertia added, have eigenvalues
 /// in the left half plane, and the motion explodes.) Local stresses, as in the traction rows; prescribed displacements

@@ -4,6 +4,7 @@
 #include "base/base_impl.h"
 #include "kansa/energy.h"
 #include "kansa/rings.h"
+#include "kansa/weights.h"
 
 #include <cblas.h>
 #include <lapacke.h>
@@ -144,7 +145,7 @@ static pdmc_status create_operator(const pdmc_kansa *kansa, pdmc_affine *model)
     model->discretisation = rings;
     model->verbs = &verbs;
     model->bins = kansa->rings.bins;
-    model->terms = noise ? kansa->rings.rings : 0;
+    model->terms = model->radial_terms = noise ? kansa->rings.rings : 0;
     rings->kansa = kansa;
     expected_sizes(kansa, noise ? noise->variation : 0.0, size);
     PDMC_TRY(find_response(kansa, model->terms, size, rings));
@@ -154,23 +155,6 @@ static pdmc_status create_operator(const pdmc_kansa *kansa, pdmc_affine *model)
         PDMC_NEW(model->solution[l], model->unknowns);
         cblas_dgemv(CblasRowMajor, CblasNoTrans, model->unknowns, kansa->unknowns, 1.0, rings->response.basis,
                     kansa->unknowns, kansa->whitened[l], 1, 0.0, model->solution[l], 1);
-    }
-done:
-    return status;
-}
-
-static pdmc_status fill_weights(const pdmc_kansa *kansa, pdmc_affine *model)
-{
-    pdmc_status status = PDMC_OK;
-    const int rings = kansa->rings.rings;
-    PDMC_NEW(model->term_weight, model->bins * model->terms);
-    PDMC_NEW(model->modulus_weight, model->bins);
-    for (int b = 0; b < model->bins; b++) {
-        for (int q = 0; q < rings; q++) {
-            const double weight = kansa->rings.weight[b * rings + q];
-            if (model->terms > 0) model->term_weight[b * rings + q] = weight;
-            model->modulus_weight[b] += weight * kansa->share[q];
-        }
     }
 done:
     return status;
@@ -201,7 +185,7 @@ pdmc_status pdmc_kansa_affine(const pdmc_kansa *kansa, pdmc_affine *model)
     const double start = pdmc_seconds();
     *model = (pdmc_affine){.tips = kansa->problem->energy.tip_count, .angles = kansa->problem->energy.angles};
     PDMC_TRY(create_operator(kansa, model));
-    PDMC_TRY(fill_weights(kansa, model));
+    PDMC_TRY(pdmc_kansa_weights(kansa, model));
     PDMC_TRY(fill_stress_intensity(kansa, model));
     const double made = pdmc_seconds();
     const sampled_operator *rings = model->discretisation;

@@ -2,17 +2,13 @@
 #include "kansa/weak_form.h"
 
 #include "base/base_impl.h"
+#include "kansa/weak_rows.h"
 
 #include <cblas.h>
-#include <math.h>
-#include <string.h>
 
 enum {
     CHUNK = 256,      // points whose rows are held at a time
-    PANEL = 64,       // rows or columns of a task, the same for any number of threads
     SIDE_POINTS = 48, // Gauss points along a side
-    STRAIN_ROWS = 3,
-    DISPLACEMENT_ROWS = 2,
 };
 static const double penalty = 1e4; // of prescribed displacements, in E / h
 
@@ -25,92 +21,18 @@ void pdmc_weak_form_clear(pdmc_weak_form *form)
     *form = (pdmc_weak_form){0};
 }
 
-// Three rows whose squares add to sigma : epsilon = (3 s_x^2 - 2 s_x s_y + 3 s_y^2) / (8 mu) + tau^2 / mu (lambda =
-// mu).
-static void strain_rows(pdmc_row_builder *builder, const double x[2], double weight, double scratch[], double row[])
-{
-    const int n = builder->basis->unknowns;
-    const double mu = builder->basis->shear_modulus, along[2] = {1.0, 0.0}, across[2] = {0.0, 1.0};
-    const double a = sqrt(3.0 * weight / (8.0 * mu)), b = sqrt(weight / (3.0 * mu)), c = sqrt(weight / mu);
-    double *sx = row, *tau = row + 2 * n, *sy = row + n;
-    pdmc_traction_rows(builder, x, x, along, sx, tau);
-    pdmc_traction_rows(builder, x, x, across, scratch, sy);
-    for (int k = 0; k < n; k++) {
-        sx[k] = a * (sx[k] - sy[k] / 3.0);
-        sy[k] *= b;
-        tau[k] *= c;
-    }
-}
-
-static void displacement_rows(pdmc_row_builder *builder, const double x[2], double weight, double row[])
-{
-    const int n = builder->basis->unknowns;
-    pdmc_displacement_rows(builder, x, x, row, row + n);
-    cblas_dscal(2 * n, sqrt(weight), row, 1);
-}
-
-// gram += rows^T rows, by panels of columns.
-static void add_gram(const pdmc_kansa *kansa, int count, const double rows[], double gram[])
-{
-    const int n = kansa->unknowns;
-#pragma omp parallel for schedule(dynamic) num_threads(kansa->threads)
-    for (int first = 0; first < n; first += PANEL)
-        cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, n, n - first < PANEL ? n - first : PANEL, count, 1.0, rows,
-                    n, rows + first, n, 1.0, &gram[(size_t)first * (size_t)n], n);
-}
-
-static void whiten(const pdmc_kansa *kansa, int count, double rows[])
-{
-#pragma omp parallel for schedule(dynamic) num_threads(kansa->threads)
-    for (int first = 0; first < count; first += PANEL)
-        pdmc_kansa_whiten(kansa, count - first < PANEL ? count - first : PANEL,
-                          &rows[(size_t)first * (size_t)kansa->unknowns]);
-}
-
-// Rows of some points of the plate.
-static pdmc_status fill_rows(const pdmc_kansa *kansa, const pdmc_area_rule *rule, int first, int count, double strain[],
-                             double displacement[])
-{
-    pdmc_status status = PDMC_OK;
-    const size_t n = (size_t)kansa->unknowns;
-#pragma omp parallel num_threads(kansa->threads)
-    {
-        pdmc_row_builder builder;
-        double *scratch = pdmc_calloc(n, sizeof *scratch);
-        pdmc_status mine = pdmc_row_builder_create(&kansa->basis, &builder);
-        if (!scratch) mine = PDMC_ERR_NOMEM;
-#pragma omp for schedule(dynamic, 8)
-        for (int i = 0; i < count; i++) {
-            if (mine != PDMC_OK) continue;
-            const double *x = &rule->x[2 * (first + i)], weight = rule->weight[first + i];
-            double *e = &strain[STRAIN_ROWS * (size_t)i * n], *u = &displacement[DISPLACEMENT_ROWS * (size_t)i * n];
-            strain_rows(&builder, x, weight, scratch, e);
-            displacement_rows(&builder, x, weight, u);
-        }
-        if (mine != PDMC_OK) {
-#pragma omp critical(pdmc_weak_form)
-            status = mine;
-        }
-        pdmc_row_builder_clear(&builder);
-        pdmc_free(scratch);
-    }
-    return status;
-}
-
 static pdmc_status integrate_plate(const pdmc_kansa *kansa, const pdmc_area_rule *rule, pdmc_weak_form *form)
 {
     pdmc_status status = PDMC_OK;
     const size_t n = (size_t)kansa->unknowns;
     double *strain = NULL, *displacement = NULL;
-    PDMC_NEW(strain, CHUNK * STRAIN_ROWS * n);
-    PDMC_NEW(displacement, CHUNK * DISPLACEMENT_ROWS * n);
+    PDMC_NEW(strain, CHUNK * PDMC_STRAIN_ROWS * n);
+    PDMC_NEW(displacement, CHUNK * PDMC_DISPLACEMENT_ROWS * n);
     for (int first = 0; first < rule->count; first += CHUNK) {
         const int count = rule->count - first < CHUNK ? rule->count - first : CHUNK;
-        PDMC_TRY(fill_rows(kansa, rule, first, count, strain, displacement));
-        whiten(kansa, STRAIN_ROWS * count, strain);
-        whiten(kansa, DISPLACEMENT_ROWS * count, displacement);
-        add_gram(kansa, STRAIN_ROWS * count, strain, form->stiffness);
-        add_gram(kansa, DISPLACEMENT_ROWS * count, displacement, form->mass);
+        PDMC_TRY(pdmc_weak_fill_rows(kansa, rule, first, count, strain, displacement));
+        pdmc_weak_add_gram(kansa, PDMC_STRAIN_ROWS * count, strain, form->stiffness);
+        pdmc_weak_add_gram(kansa, PDMC_DISPLACEMENT_ROWS * count, displacement, form->mass);
     }
 done:
     pdmc_free(strain);
@@ -168,7 +90,7 @@ static pdmc_status integrate_side(const pdmc_kansa *kansa, int side, pdmc_row_bu
     return status;
 }
 
-static pdmc_status integrate_sides(const pdmc_kansa *kansa, pdmc_weak_form *form)
+pdmc_status pdmc_weak_form_add_sides(const pdmc_kansa *kansa, pdmc_weak_form *form)
 {
     pdmc_status status = PDMC_OK;
     pdmc_row_builder builder = {0};
@@ -182,25 +104,6 @@ done:
     return status;
 }
 
-static pdmc_status make_rule(const pdmc_kansa *kansa, pdmc_area_rule *rule)
-{
-    pdmc_status status = PDMC_OK;
-    const pdmc_problem *problem = kansa->problem;
-    double *segment = NULL;
-    PDMC_NEW(segment, 4 * problem->crack_count);
-    for (int c = 0; c < problem->crack_count; c++) {
-        memcpy(&segment[4 * c], problem->cracks[c].from, 2 * sizeof(double));
-        memcpy(&segment[4 * c + 2], problem->cracks[c].to, 2 * sizeof(double));
-    }
-    // Sums of radial functions vary from node to node, whatever their shape: about seven points to a node. A quarter
-    // of that leaves fields without energy, and waves that stand still.
-    PDMC_TRY(pdmc_area_rule_create(problem->plate.width, problem->plate.height, problem->crack_count, segment,
-                                   3.0 * kansa->spacing, rule));
-done:
-    pdmc_free(segment);
-    return status;
-}
-
 pdmc_status pdmc_weak_form_create(const pdmc_kansa *kansa, pdmc_weak_form *form)
 {
     pdmc_status status = PDMC_OK;
@@ -211,9 +114,9 @@ pdmc_status pdmc_weak_form_create(const pdmc_kansa *kansa, pdmc_weak_form *form)
     PDMC_NEW(form->stiffness, n * n);
     PDMC_NEW(form->fixed, n);
     PDMC_NEW(form->load, n);
-    PDMC_TRY(make_rule(kansa, &rule));
+    PDMC_TRY(pdmc_weak_rule(kansa, &rule));
     PDMC_TRY(integrate_plate(kansa, &rule, form));
-    PDMC_TRY(integrate_sides(kansa, form));
+    PDMC_TRY(pdmc_weak_form_add_sides(kansa, form));
 done:
     pdmc_area_rule_clear(&rule);
     if (status != PDMC_OK) pdmc_weak_form_clear(form);

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/base_impl.h"
+#include "kansa/energy.h"
+#include "kansa/stiffness_operator.h"
+#include "kansa/weights.h"
+
+#include <cblas.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <string.h>
+
+static pdmc_status copy_vectors(const pdmc_kansa_form *form, pdmc_affine *model)
+{
+    pdmc_status status = PDMC_OK;
+    const size_t n = (size_t)form->unknowns, values = 2 * (size_t)model->tips * n;
+    for (int l = 0; l < 2; l++) {
+        PDMC_NEW(model->solution[l], n);
+        memcpy(model->solution[l], form->load[l], n * sizeof(double));
+    }
+    PDMC_NEW(model->stress_intensity, values);
+    memcpy(model->stress_intensity, form->intensity, values * sizeof(double));
+done:
+    return status;
+}
+
+static const double *tip_position(const pdmc_problem *problem, int t)
+{
+    const pdmc_crack *crack = &problem->cracks[problem->energy.tips[t] / 2];
+    return problem->energy.tips[t] % 2 ? crack->to : crack->from;
+}
+
+// Where the energy's bonds cross; no bond does outside the plate.
+static void crossing_point(const pdmc_problem *problem, int t, int angle, double x[2])
+{
+    const double phi = 2.0 * M_PI * angle / problem->energy.angles, *tip = tip_position(problem, t);
+    const double half[2] = {0.5 * problem->plate.width, 0.5 * problem->plate.height};
+    const double direction[2] = {cos(phi), sin(phi)};
+    for (int k = 0; k < 2; k++) x[k] = fmin(fmax(tip[k] + problem->energy.extension * direction[k], -half[k]), half[k]);
+}
+
+static pdmc_status fill_stiffness(const pdmc_problem *problem, const pdmc_stiffness_terms *terms, pdmc_affine *model)
+{
+    pdmc_status status = PDMC_OK;
+    const int tips = model->tips, directions = tips * model->angles;
+    double *x = NULL;
+    PDMC_NEW(x, 2 * (tips + directions));
+    PDMC_NEW(model->tip_stiffness, tips * terms->terms);
+    PDMC_NEW(model->direction_stiffness, directions * terms->terms);
+    for (int t = 0; t < tips; t++) memcpy(&x[2 * t], tip_position(problem, t), 2 * sizeof *x);
+    for (int d = 0; d < directions; d++)
+        crossing_point(problem, d / model->angles, d % model->angles, &x[2 * (tips + d)]);
+    PDMC_TRY(terms->at(terms->context, tips, x, model->tip_stiffness));
+    PDMC_TRY(terms->at(terms->context, directions, &x[2 * tips], model->direction_stiffness));
+done:
+    pdmc_free(x);
+    return status;
+}
+
+// The basis' coefficients of each coordinate: R^-1 L^-T.
+static pdmc_status fill_crossings(const pdmc_kansa_form *form, pdmc_affine *model)
+{
+    enum { PANEL = 64 };
+    pdmc_status status = PDMC_OK;
+    const int n = form->unknowns;
+    double *coefficients = NULL;
+    PDMC_NEW(coefficients, (size_t)n * (size_t)n);
+    for (size_t k = 0; k < (size_t)n; k++) coefficients[k * (size_t)(n + 1)] = 1.0;
+#pragma omp parallel for schedule(dynamic) num_threads(form->kansa->threads)
+    for (int first = 0; first < n; first += PANEL) {
+        const int count = n - first < PANEL ? n - first : PANEL;
+        double *panel = &coefficients[(size_t)first * (size_t)n];
+        cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, n, count, 1.0, form->root, n, panel,
+                    n);
+        pdmc_kansa_unwhiten(form->kansa, count, panel);
+    }
+    PDMC_TRY(pdmc_kansa_energy(form->kansa, coefficients, model));
+done:
+    pdmc_free(coefficients);
+    return status;
+}
+
+pdmc_status pdmc_kansa_form_affine(const pdmc_kansa_form *form, const pdmc_stiffness_terms *terms, pdmc_affine *model)
+{
+    pdmc_status status = PDMC_OK;
+    const double start = pdmc_seconds();
+    const pdmc_energy_request *energy = &form->kansa->problem->energy;
+    *model = (pdmc_affine){.tips = energy->tip_count, .angles = energy->angles, .bins = form->kansa->rings.bins};
+    PDMC_TRY(pdmc_stiffness_operator_create(form, terms, model));
+    PDMC_TRY(pdmc_kansa_weights(form->kansa, model));
+    PDMC_TRY(copy_vectors(form, model));
+    PDMC_TRY(fill_stiffness(form->kansa->problem, terms, model));
+    const double made = pdmc_seconds();
+    PDMC_TRY(fill_crossings(form, model));
+    model->operator_seconds = made - start;
+    model->energy_seconds = pdmc_seconds() - made;
+done:
+    if (status != PDMC_OK) pdmc_affine_clear(model);
+    return status;
+}
+
+static pdmc_status field_at(const void *context, int points, const double x[], double value[])
+{
+    return pdmc_field_terms_at(context, points, x, value);
+}
+
+pdmc_status pdmc_kansa_field_affine(const pdmc_kansa_form *form, const pdmc_field *field, pdmc_affine *model)
+{
+    const pdmc_stiffness_terms terms = {pdmc_field_terms(field), field, field_at};
+    const pdmc_status status = pdmc_kansa_form_affine(form, &terms, model);
+    if (status == PDMC_OK) model->field = field;
+    return status;
+}
