@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/base_impl.h"
+#include "reliability/average.h"
 #include "reliability/normals.h"
-#include "reliability/tally.h"
 
 #include <cblas.h>
 #include <gsl/gsl_cdf.h>
@@ -13,10 +13,10 @@ typedef struct {
     const pdmc_limit_state *limit;
     const pdmc_importance_options *options;
     int centres;
-    const double *centre;        // [centres, dimension]
-    double *half_square;         // [centres] |c|^2 / 2
-    double *z, *g;               // [batch, dimension], [batch]
-    pdmc_tally events, possible; // weights of events; of events and failed points
+    const double *centre;          // [centres, dimension]
+    double *half_square;           // [centres] |c|^2 / 2
+    double *z, *g;                 // [batch, dimension], [batch]
+    pdmc_average events, possible; // weights of events; of events and failed points
     long taken, failed;
 } sampling;
 
@@ -48,8 +48,8 @@ static double weight(const sampling *s, const double z[])
 static void count_in(sampling *s, const double z[], double g)
 {
     const double w = g > 0.0 || isnan(g) ? weight(s, z) : 0.0;
-    pdmc_tally_add(&s->events, isnan(g) ? 0.0 : w);
-    pdmc_tally_add(&s->possible, w);
+    pdmc_average_add(&s->events, isnan(g) ? 0.0 : w);
+    pdmc_average_add(&s->possible, w);
     s->failed += isnan(g);
 }
 
@@ -80,7 +80,7 @@ static void report(const sampling *s, pdmc_reliability *result)
 {
     const double confidence = s->options->confidence;
     *result = (pdmc_reliability){.evaluations = s->taken, .failed = s->failed, .reached = s->events.positive > 0};
-    pdmc_tally_report(&s->events, &s->possible, confidence, result);
+    pdmc_average_report(&s->events, &s->possible, confidence, result);
     if (result->effective_samples < few) {
         const size_t seen = (size_t)s->possible.positive;
         const double share = pdmc_statistics_proportion(seen, (size_t)s->taken, confidence).upper;
@@ -114,7 +114,7 @@ pdmc_status pdmc_importance_sampling(const pdmc_limit_state *limit, int centres,
     PDMC_NEW(s.g, options->batch);
     for (int j = 0; j < centres; j++) s.half_square[j] = 0.5 * cblas_ddot(n, &centre[j * n], 1, &centre[j * n], 1);
     do PDMC_TRY(take_batch(&s));
-    while (!(pdmc_tally_variation(&s.events) <= options->variation) &&
+    while (!(pdmc_average_variation(&s.events) <= options->variation) &&
            s.taken + options->batch <= options->most_evaluations);
     report(&s, result);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/base_impl.h"
+#include "reliability/average.h"
 #include "reliability/normals.h"
-#include "reliability/tally.h"
 
 #include <gsl/gsl_sort.h>
 #include <math.h>
@@ -26,12 +26,12 @@ typedef struct {
     const pdmc_limit_state *limit;
     const pdmc_subset_options *options;
     population pilot, runs;
-    double *z, *g;               // [runs samples, dimension], [runs samples] candidates
-    int levels;                  // found by the pilot
-    double level[MOST_LEVELS];   // b_j
-    double spread[MOST_LEVELS];  // of the moves within that level
-    bool reached;                // the event has a level's share of the last level, or more
-    pdmc_tally events, possible; // of the runs
+    double *z, *g;                 // [runs samples, dimension], [runs samples] candidates
+    int levels;                    // found by the pilot
+    double level[MOST_LEVELS];     // b_j
+    double spread[MOST_LEVELS];    // of the moves within that level
+    bool reached;                  // the event has a level's share of the last level, or more
+    pdmc_average events, possible; // of the runs
     long evaluations, failed;
 } simulation;
 
@@ -206,21 +206,21 @@ static pdmc_status take_runs(simulation *s)
     for (int r = 0; r < p->count && status == PDMC_OK; r++) {
         const bool alive = p->share[r] > 0.0;
         const double possible = s->reached ? count_above_zero(s, p, r, true) : n;
-        pdmc_tally_add(&s->events, alive ? p->share[r] * count_above_zero(s, p, r, false) / n : 0.0);
-        pdmc_tally_add(&s->possible, alive ? p->share[r] * possible / n : 0.0);
+        pdmc_average_add(&s->events, alive ? p->share[r] * count_above_zero(s, p, r, false) / n : 0.0);
+        pdmc_average_add(&s->possible, alive ? p->share[r] * possible / n : 0.0);
     }
     p->first += (uint64_t)p->count;
     return status;
 }
 
-static pdmc_status average(simulation *s)
+static pdmc_status take_enough_runs(simulation *s)
 {
     long before;
     do {
         before = s->evaluations;
         const pdmc_status status = take_runs(s);
         if (status != PDMC_OK) return status;
-    } while (s->reached && !(pdmc_tally_variation(&s->events) <= s->options->variation) &&
+    } while (s->reached && !(pdmc_average_variation(&s->events) <= s->options->variation) &&
              2 * s->evaluations - before <= s->options->most_evaluations);
     return PDMC_OK;
 }
@@ -229,7 +229,7 @@ static void report(const simulation *s, pdmc_reliability *result)
 {
     *result = (pdmc_reliability){
         .evaluations = s->evaluations, .failed = s->failed, .levels = s->levels, .reached = s->reached};
-    pdmc_tally_report(&s->events, &s->possible, s->options->confidence, result);
+    pdmc_average_report(&s->events, &s->possible, s->options->confidence, result);
     if (!s->reached) result->probability.lower = 0.0;
     result->index = pdmc_reliability_index(result->probability);
     result->converged = s->reached && result->variation <= s->options->variation;
@@ -283,7 +283,7 @@ pdmc_status pdmc_subset_simulation(const pdmc_limit_state *limit, const pdmc_sub
     PDMC_TRY(population_make(&s, 1, 0, &s.pilot));
     PDMC_TRY(population_make(&s, options->runs, 1, &s.runs));
     PDMC_TRY(explore(&s));
-    PDMC_TRY(average(&s));
+    PDMC_TRY(take_enough_runs(&s));
     report(&s, result);
 
 done:

@@ -9,28 +9,28 @@ typedef struct {
     long count, positive; // values, and those that are not 0
     double unit;          // the first of these: powers of values / unit neither overflow nor vanish
     double sum, squares, cubes, largest;
-} pdmc_tally;
+} pdmc_average;
 
-void pdmc_tally_add(pdmc_tally *tally, double x);
+void pdmc_average_add(pdmc_average *average, double x);
 
 /// NaN without values.
-double pdmc_tally_mean(const pdmc_tally *tally);
+double pdmc_average_value(const pdmc_average *average);
 
 /// The mean's coefficient of variation; NaN where all are 0 and with less than two values.
-double pdmc_tally_variation(const pdmc_tally *tally);
+double pdmc_average_variation(const pdmc_average *average);
 
 /// (sum x)^2 / sum x^2; 0 where all are 0.
-double pdmc_tally_effective(const pdmc_tally *tally);
+double pdmc_average_effective(const pdmc_average *average);
 
 /// The mean's interval after Hall (1992): with T = (mean - mu) / s, n values and their skewness k,
 ///     T + k T^2 / 3 + k^2 T^3 / 27 + k / (6 n)
 /// is without skewness to second order, and increases with T. It is taken to have Student's quantiles / sqrt(n). [0, inf] with
 /// less than three values.
-pdmc_estimate pdmc_tally_interval(const pdmc_tally *tally, double confidence);
+pdmc_estimate pdmc_average_interval(const pdmc_average *average, double confidence);
 
-/// What two tallies say of a probability: that of what was an event, and that of what may have been one.
-void pdmc_tally_report(const pdmc_tally *events, const pdmc_tally *possible, double confidence,
-                       pdmc_reliability *result);
+/// What two averages say of a probability: that of what was an event, and that of what may have been one.
+void pdmc_average_report(const pdmc_average *events, const pdmc_average *possible, double confidence,
+                         pdmc_reliability *result);
 
 /// The reliability index of a probability and its bounds.
 pdmc_estimate pdmc_reliability_index(pdmc_estimate probability);
