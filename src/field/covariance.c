@@ -34,12 +34,3 @@ pdmc_status pdmc_covariance_check(const pdmc_covariance *covariance)
                  "a smoothness of %g", covariance->smoothness);
     return PDMC_OK;
 }
-
-double pdmc_field_sign(int count, const double vector[])
-{
-    const double equal = 1.0 + 1e-8;
-    double largest = 0.0;
-    for (int i = 0; i < count; i++)
-        if (fabs(vector[i]) > equal * fabs(largest)) largest = vector[i];
-    return largest < 0.0 ? -1.0 : 1.0;
-}

@@ -22,6 +22,7 @@ pdmc_status pdmc_radial_modes(const pdmc_covariance *covariance, double radius, 
     PDMC_REQUIRE(radius > 0.0 && isfinite(radius), "a radius of %g", radius);
     PDMC_REQUIRE(1 <= bins && 1 <= modes && modes <= bins, "%d modes of %d bins", modes, bins);
 
+    pdmc_blas_prepare();
     double *vector = NULL, *value = NULL;
     PDMC_NEW(vector, (size_t)bins * (size_t)bins); // the correlation, then its eigenvectors, one a row
     PDMC_NEW(value, bins);                         // ascending
