@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/finite_element_impl.h"
 
-#include <gsl/gsl_integration.h>
 #include <math.h>
 
 // Element boundaries at radius (i / n)^GRADING from the tip. Quadratic elements then resolve sqrt(r) as well as a smooth

@@ -185,6 +185,7 @@ pdmc_status finite_element_solve(const finite_element_plate *plate, finite_eleme
 {
     pdmc_status status = PDMC_OK;
     finite_element_solution *s = NULL;
+    pdmc_blas_prepare();
     PDMC_TRY(check(plate));
     PDMC_NEW(s, 1);
     s->plate = *plate;
