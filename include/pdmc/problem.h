@@ -5,8 +5,7 @@
 /// discretisation; no module behind it reads a configuration. Lengths and forces are in the study's own units, angles
 /// in radians, counter-clockwise from the x axis. The plate is centred at the origin.
 
-#include "pdmc/base.h"
-#include "pdmc/distribution.h"
+#include "pdmc/field.h"
 
 enum { PDMC_NAME_SIZE = 64 }; // with the terminating zero
 
@@ -43,19 +42,71 @@ typedef struct {
     double displacement[2]; // length; 0 where not held
 } pdmc_support;
 
-typedef enum { PDMC_QUANTITY_MICROMODULUS, PDMC_QUANTITY_LOAD } pdmc_quantity;
+/// What may be random. The scalars have a distribution of their own; the micromodulus and the stiffness are functions.
+typedef enum {
+    PDMC_QUANTITY_MICROMODULUS,    // c(r), the same everywhere
+    PDMC_QUANTITY_STIFFNESS,       // M(x) of mean 1, a factor on E
+    PDMC_QUANTITY_LOAD,            // one factor on all tractions
+    PDMC_QUANTITY_YOUNGS_MODULUS,  // E, force / length^2
+    PDMC_QUANTITY_FRACTURE_ENERGY, // G_c, force / length
+    PDMC_QUANTITY_THICKNESS,       // length; the forces on the sides stay, so that the tractions go with its inverse
+    PDMC_QUANTITIES,
+    PDMC_FIRST_SCALAR = PDMC_QUANTITY_LOAD
+} pdmc_quantity;
+enum { PDMC_SCALARS = PDMC_QUANTITIES - PDMC_FIRST_SCALAR };
+
+/// c(r) in equal bins of [0, horizon]: independent, or correlated over the radius.
+typedef enum { PDMC_RADIAL_NOISE, PDMC_RADIAL_PROCESS } pdmc_radial_model;
+
+/// The ways in which a study may name a distribution.
+typedef enum {
+    PDMC_PARAMETER_MEAN,
+    PDMC_PARAMETER_VARIATION,
+    PDMC_PARAMETER_MEDIAN,
+    PDMC_PARAMETER_LOG_DEVIATION,
+    PDMC_PARAMETER_LOCATION,
+    PDMC_PARAMETER_SCALE,
+    PDMC_PARAMETER_SHAPE,
+    PDMC_PARAMETER_LOWER,
+    PDMC_PARAMETER_MODE,
+    PDMC_PARAMETER_UPPER,
+    PDMC_PARAMETER_ALPHA,
+    PDMC_PARAMETER_BETA,
+    PDMC_PARAMETER_LEAST,
+    PDMC_PARAMETER_MOST,
+    PDMC_PARAMETERS
+} pdmc_parameter;
+
+typedef struct {
+    bool has[PDMC_PARAMETERS];
+    double value[PDMC_PARAMETERS];
+} pdmc_parameters;
 
 /// An uncertain quantity.
-/// Micromodulus: "radial noise", c(r) = c_0 (1 + variation * Z_b) with independent standard normal Z_b in each of
+/// Micromodulus, "radial noise": c(r) = c_0 (1 + variation * Z_b) with independent standard normal Z_b in each of
 /// `bins` equal bins of [0, horizon] (Evangelatos & Spanos 2011, eq. 51 and section 6.3). The number of bins is a
-/// physical input: the scatter of the effective modulus falls as 1 / sqrt(bins).
-/// Load: one factor of mean 1 on all tractions, `distribution` with coefficient of variation `variation`.
+/// physical input: the scatter of the effective modulus falls as 1 / sqrt(bins). "Radial process": the Z_b are correlated.
+/// Stiffness: a random field with the covariance and the variation.
 typedef struct {
     pdmc_quantity quantity;
-    pdmc_distribution_kind distribution; // of the load factor
-    int bins;                            // of the micromodulus, >= 1
-    double variation;                    // coefficient of variation, >= 0
+    pdmc_distribution_kind distribution;
+    pdmc_parameters given;      // of a scalar: the parameters as the study gives them
+    int value_count;            // of an empirical distribution
+    double *values;             // [value_count] as the study gives them
+    pdmc_distribution law;      // of a scalar, in its own unit; a load's is a factor
+    pdmc_radial_model model;    // of the micromodulus
+    int bins;                   // of the micromodulus, >= 1
+    double variation;           // of the micromodulus and the stiffness: coefficient of variation, >= 0
+    pdmc_covariance covariance; // of the stiffness, and of a radial process
+    bool has_length, has_smoothness;
+    int modes; // of the expansion of a stiffness or a radial process
 } pdmc_uncertainty;
+
+/// Of the normal variables behind two scalar quantities, in a Gaussian copula.
+typedef struct {
+    pdmc_quantity first, second;
+    double correlation;
+} pdmc_correlation;
 
 /// How the collocation treats cracks: analytic fields (the local limit), stencils over visible nodes with bonds that
 /// are really cut, or the paper's own recipe.
@@ -170,6 +221,8 @@ typedef struct {
     pdmc_probe *probes; // [probe_count]
     int uncertainty_count;
     pdmc_uncertainty *uncertainties; // [uncertainty_count], each quantity at most once
+    int correlation_count;
+    pdmc_correlation *correlations; // [correlation_count]
     pdmc_solver_options solver;
     pdmc_sampling sampling;
     pdmc_energy_request energy;
@@ -180,6 +233,17 @@ PDMC_API void pdmc_problem_clear(pdmc_problem *problem);
 
 /// The entry for a quantity, or NULL where the quantity is certain.
 PDMC_API const pdmc_uncertainty *pdmc_problem_uncertainty(const pdmc_problem *problem, pdmc_quantity quantity);
+
+/// The mean of a scalar quantity where the study does not give it: 1 for the load, the material's, the plate's.
+PDMC_API double pdmc_problem_nominal(const pdmc_problem *problem, pdmc_quantity quantity);
+
+/// The correlation of the normal variables behind the scalar quantities, in the order of pdmc_quantity; 1 on the diagonal,
+/// 0 where the study says nothing.
+/// @param[out] matrix  [PDMC_SCALARS, PDMC_SCALARS]
+PDMC_API void pdmc_problem_correlation(const pdmc_problem *problem, double matrix[]);
+
+/// Whether a displacement other than 0 is prescribed: the solution is then no multiple of the load.
+PDMC_API bool pdmc_problem_moves_sides(const pdmc_problem *problem);
 
 /// Poisson's ratio of the bond-based model: 1/3 in plane stress, 1/4 in plane strain.
 PDMC_API double pdmc_poissons_ratio(pdmc_assumption assumption);

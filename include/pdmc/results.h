@@ -19,6 +19,14 @@ typedef enum {
     PDMC_SAMPLE_SOFT = 3,     // the sample's effective modulus is not positive
 } pdmc_sample_failure;
 
+/// How a sample was solved in the end.
+typedef enum {
+    PDMC_SOLVED_AS_ASKED = 0,
+    PDMC_SOLVED_BY_KRYLOV = 1, // its expansion does not contract, or the reduced model could not tell it from G_c
+    PDMC_SOLVED_IN_SPACE = 2,  // its expansion does not contract: what it stands for, in the space of its terms
+    PDMC_SOLVED_DIRECTLY = 3,  // nor did conjugate gradients converge: its own factorisation
+} pdmc_sample_solver;
+
 enum { PDMC_LONG_NAME_SIZE = PDMC_NAME_SIZE + 8 }; // of a crack and its end, with the terminating zero
 
 /// A tip, with the solution at the mean of all uncertain quantities.
@@ -135,7 +143,9 @@ typedef struct {
     double *effective_modulus;  // [S] E_eff / E
     double *contraction;        // [S] measured factor of the Neumann expansion; NaN with direct solves
     pdmc_sample_accuracy accuracy;
+    double *sample_fracture_energy; // [S] force / length
     uint8_t *failure;           // [S] pdmc_sample_failure
+    uint8_t *sample_solver;     // [S] pdmc_sample_solver
     double *stress_intensity;   // [S, T, 2] K_I, K_II
     double *energy[PDMC_MEASURES]; // each [S, T, A], by pdmc_measure; NaN where the sample failed
 

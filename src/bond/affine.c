@@ -108,6 +108,7 @@ static pdmc_status fill_weights(const pdmc_bond *bond, pdmc_affine *model)
     model->bins = horizon->bins;
     model->rings = horizon->shells;
     model->terms = pdmc_problem_uncertainty(bond->problem, PDMC_QUANTITY_MICROMODULUS) ? horizon->shells : 0;
+    model->radial_terms = model->terms;
     PDMC_NEW(model->term_weight, shares);
     PDMC_NEW(model->ring_weight, shares);
     PDMC_NEW(model->modulus_weight, horizon->bins);

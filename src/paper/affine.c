@@ -119,7 +119,7 @@ static pdmc_status create_operator(const pdmc_paper *paper, pdmc_affine *model)
     model->discretisation = expansion;
     model->verbs = &verbs;
     model->bins = noise ? noise->bins : 1;
-    model->terms = noise ? paper->terms : 0;
+    model->terms = model->radial_terms = noise ? paper->terms : 0;
     expansion->paper = paper;
     PDMC_TRY(pdmc_radial_weights(model));
     PDMC_TRY(find_response(model, noise ? noise->variation : 0.0, expansion));

@@ -18,7 +18,12 @@ void pdmc_problem_clear(pdmc_problem *problem)
     pdmc_free(problem->supports);
     pdmc_free(problem->history);
     pdmc_free(problem->probes);
+    for (int i = 0; problem->uncertainties && i < problem->uncertainty_count; i++) {
+        pdmc_free(problem->uncertainties[i].values);
+        pdmc_free(problem->uncertainties[i].law.values);
+    }
     pdmc_free(problem->uncertainties);
+    pdmc_free(problem->correlations);
     pdmc_free(problem->energy.tips);
     *problem = (pdmc_problem){0};
 }
@@ -28,6 +33,34 @@ const pdmc_uncertainty *pdmc_problem_uncertainty(const pdmc_problem *problem, pd
     for (int i = 0; i < problem->uncertainty_count; i++)
         if (problem->uncertainties[i].quantity == quantity) return &problem->uncertainties[i];
     return NULL;
+}
+
+double pdmc_problem_nominal(const pdmc_problem *problem, pdmc_quantity quantity)
+{
+    switch (quantity) {
+    case PDMC_QUANTITY_YOUNGS_MODULUS: return problem->material.youngs_modulus;
+    case PDMC_QUANTITY_FRACTURE_ENERGY: return problem->material.fracture_energy;
+    case PDMC_QUANTITY_THICKNESS: return problem->plate.thickness;
+    default: return 1.0;
+    }
+}
+
+bool pdmc_problem_moves_sides(const pdmc_problem *problem)
+{
+    for (int s = 0; s < problem->support_count; s++)
+        if (problem->supports[s].displacement[0] != 0.0 || problem->supports[s].displacement[1] != 0.0) return true;
+    return false;
+}
+
+void pdmc_problem_correlation(const pdmc_problem *problem, double matrix[])
+{
+    for (int i = 0; i < PDMC_SCALARS; i++)
+        for (int j = 0; j < PDMC_SCALARS; j++) matrix[i * PDMC_SCALARS + j] = i == j;
+    for (int k = 0; k < problem->correlation_count; k++) {
+        const pdmc_correlation *pair = &problem->correlations[k];
+        const int i = (int)pair->first - PDMC_FIRST_SCALAR, j = (int)pair->second - PDMC_FIRST_SCALAR;
+        matrix[i * PDMC_SCALARS + j] = matrix[j * PDMC_SCALARS + i] = pair->correlation;
+    }
 }
 
 double pdmc_poissons_ratio(pdmc_assumption assumption)

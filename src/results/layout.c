@@ -5,6 +5,8 @@
 
 #define MOTION "/motion/" // the group that only dynamic studies have
 #define PEAK_MEMORY "/runtime/peak_memory"
+#define FRACTURE_ENERGY "/samples/fracture_energy"
+#define SOLVER "/samples/solver"
 #define ACCURACY "/solver/samples/"
 #define MEMBER(name) offsetof(pdmc_results, name)
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
@@ -122,6 +124,10 @@ const pdmc_dataset pdmc_datasets[] = {
            "median of those bounds"),
     NUMBER(ACCURACY "solved_in_full", REAL, accuracy.solved_in_full, NONE,
            "samples whose energy was too near to G_c for the reduced model"),
+    REALS(FRACTURE_ENERGY, sample_fracture_energy, ENERGY, "fracture energy G_c", PDMC_DIM_SAMPLE),
+    ARRAY(SOLVER, BYTE, uint8_t, sample_solver, NONE,
+          "0 as asked, 1 by conjugate gradients, 2 what the expansion stands for, 3 by its own factorisation",
+          PDMC_DIM_SAMPLE),
     ARRAY("/samples/failure", BYTE, uint8_t, failure, NONE,
           "0 none, 1 the expansion does not contract, 2 singular system, 3 effective modulus not positive",
           PDMC_DIM_SAMPLE),
@@ -237,7 +243,8 @@ bool pdmc_dataset_belongs(const pdmc_results *results, const pdmc_dataset *datas
 
 bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset)
 {
-    return strcmp(dataset->path, PEAK_MEMORY) == 0 || strncmp(dataset->path, ACCURACY, strlen(ACCURACY)) == 0;
+    return strcmp(dataset->path, PEAK_MEMORY) == 0 || strcmp(dataset->path, FRACTURE_ENERGY) == 0 ||
+           strcmp(dataset->path, SOLVER) == 0 || strncmp(dataset->path, ACCURACY, strlen(ACCURACY)) == 0;
 }
 
 size_t pdmc_dataset_rank(const pdmc_dataset *dataset)

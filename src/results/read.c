@@ -131,7 +131,7 @@ static pdmc_status read_dataset(hid_t file, pdmc_results *results, bool known[],
     pdmc_status status = PDMC_OK;
     hid_t object = H5I_INVALID_HID;
     if (pdmc_dataset_may_be_missing(dataset) && is_missing(file, dataset->path)) {
-        *(double *)pdmc_dataset_memory(results, dataset) = NAN;
+        if (dataset->stride == 0) *(double *)pdmc_dataset_memory(results, dataset) = NAN;
         return PDMC_OK;
     }
     PDMC_H5_TRY(object = H5Dopen2(file, dataset->path, H5P_DEFAULT), PDMC_ERR_DATA, dataset->path);

@@ -3,6 +3,7 @@
 
 #include "base/base_impl.h"
 #include "pdmc/fracture.h"
+#include "stochastic/fall_back.h"
 #include "stochastic/krylov.h"
 #include "stochastic/reduced.h"
 
@@ -24,33 +25,27 @@ static pdmc_status allocate(pdmc_block *block)
 {
     pdmc_status status = PDMC_OK;
     const pdmc_affine *model = block->model;
-    const int rings = model->rings, each = model->bins + rings;
     const size_t unknowns = (size_t)model->unknowns;
-    PDMC_NEW(block->numbers, B * (size_t)each);
-    PDMC_NEW(block->xi, B * (size_t)model->terms);
+    PDMC_TRY(pdmc_draws_create(block->variables, &block->drawn));
     PDMC_NEW(block->x, B * unknowns);
     PDMC_NEW(block->term, B * unknowns);
     PDMC_NEW(block->next, B * unknowns);
     PDMC_NEW(block->stretch, B * (size_t)most_bonds(model));
-    PDMC_NEW(block->ring_sum, B * (size_t)rings);
+    PDMC_NEW(block->ring_sum, B * (size_t)model->rings);
     PDMC_NEW(block->observed, B * (size_t)model->observed);
     PDMC_NEW(block->intensity, B * 2 * (size_t)model->tips);
     PDMC_NEW(block->energy, B * (size_t)(model->tips * model->angles));
-    for (int s = 0; s < B; s++) {
-        block->draw[s].micromodulus = &block->numbers[s * each];
-        block->draw[s].ring_weight = block->draw[s].micromodulus + model->bins;
-        block->draw[s].xi = &block->xi[s * model->terms];
-    }
 done:
     return status;
 }
 
-pdmc_status pdmc_block_create(const pdmc_problem *problem, const pdmc_affine *model, pdmc_block **block)
+pdmc_status pdmc_block_create(const pdmc_variables *variables, const pdmc_affine *model, pdmc_block **block)
 {
     pdmc_status status = PDMC_OK;
     pdmc_block *made = NULL;
     PDMC_NEW(made, 1);
-    made->problem = problem;
+    made->problem = variables->problem;
+    made->variables = variables;
     made->model = model;
     PDMC_TRY(allocate(made));
     *block = made;
@@ -64,8 +59,7 @@ void pdmc_block_destroy(pdmc_block **block)
 {
     pdmc_block *old = *block;
     if (!old) return;
-    pdmc_free(old->numbers);
-    pdmc_free(old->xi);
+    pdmc_draws_clear(&old->drawn);
     pdmc_free(old->x);
     pdmc_free(old->term);
     pdmc_free(old->next);
@@ -78,22 +72,40 @@ void pdmc_block_destroy(pdmc_block **block)
     *block = NULL;
 }
 
-void pdmc_block_draw_samples(pdmc_block *block, const int sample[], int count)
+static bool is_stiff(const pdmc_block *block, const pdmc_draw *draw)
 {
-    for (int s = 0; s < B; s++) {
-        block->sample[s] = s < count ? sample[s] : -1;
-        if (s < count) pdmc_draw_sample(block->problem, block->model, (uint64_t)sample[s], &block->draw[s]);
-        else pdmc_draw_mean(block->model, &block->draw[s]);
-        block->failure[s] = block->draw[s].effective_modulus > 0.0 ? PDMC_SAMPLE_OK : PDMC_SAMPLE_SOFT;
-        block->contraction[s] = block->residual[s] = block->error[s] = NAN;
-    }
+    bool is_positive = draw->effective_modulus > 0.0;
+    for (int t = 0; t < block->model->tips; t++) is_positive = is_positive && draw->tip_modulus[t] > 0.0;
+    return is_positive;
 }
 
-void pdmc_block_draw(pdmc_block *block, int first, int count)
+pdmc_status pdmc_block_draw_points(pdmc_block *block, const double z[], int count)
+{
+    const pdmc_status status = pdmc_variables_draw(block->variables, count, z, block->drawn.draw);
+    for (int s = 0; s < B && status == PDMC_OK; s++) {
+        if (s >= count) pdmc_draw_mean(block->problem, block->variables->model, &block->drawn.draw[s]);
+        if (s >= count) block->sample[s] = -1;
+        block->failure[s] = is_stiff(block, &block->drawn.draw[s]) ? PDMC_SAMPLE_OK : PDMC_SAMPLE_SOFT;
+        block->solver[s] = PDMC_SOLVED_AS_ASKED;
+        block->contraction[s] = block->residual[s] = block->error[s] = NAN;
+    }
+    return status;
+}
+
+pdmc_status pdmc_block_draw_samples(pdmc_block *block, const int sample[], int count)
+{
+    for (int s = 0; s < count; s++) {
+        block->sample[s] = sample[s];
+        pdmc_variables_sample(block->variables, (uint64_t)sample[s], &block->drawn.z[s * block->variables->count]);
+    }
+    return pdmc_block_draw_points(block, block->drawn.z, count);
+}
+
+pdmc_status pdmc_block_draw(pdmc_block *block, int first, int count)
 {
     int sample[B] = {0};
     for (int s = 0; s < count; s++) sample[s] = first + s;
-    pdmc_block_draw_samples(block, sample, count);
+    return pdmc_block_draw_samples(block, sample, count);
 }
 
 // K_0^-1 F: the mean operator's answer to each sample's loads.
@@ -103,7 +115,7 @@ static void start(pdmc_block *block)
     memcpy(block->x, block->model->solution[0], (size_t)n * sizeof(double));
     for (int s = 1; s < B; s++) memcpy(&block->x[s * n], block->x, (size_t)n * sizeof(double));
     for (int s = 0; s < B; s++)
-        cblas_daxpy(n, block->draw[s].load_factor, block->model->solution[1], 1, &block->x[s * n], 1);
+        cblas_daxpy(n, block->drawn.draw[s].load_share, block->model->solution[1], 1, &block->x[s * n], 1);
 }
 
 // The norm is that of the mean operator's response, |K_0 x|, in coordinates in which K_0 is orthogonal.
@@ -124,7 +136,7 @@ static pdmc_status expand(pdmc_block *block)
     const pdmc_affine *model = block->model;
     memcpy(block->term, block->x, B * (size_t)model->unknowns * sizeof(double));
     for (int j = 1; j <= block->problem->sampling.order && model->terms > 0; j++) {
-        const pdmc_status status = model->verbs->perturb(model, block->xi, block->term, block->next);
+        const pdmc_status status = model->verbs->perturb(model, block->drawn.xi, block->term, block->next);
         if (status != PDMC_OK) return status;
         add_term(block);
         double *swap = block->term;
@@ -137,16 +149,29 @@ static pdmc_status expand(pdmc_block *block)
     return PDMC_OK;
 }
 
-static pdmc_status solve_directly(pdmc_block *block, int count)
+static pdmc_status solve_one_directly(pdmc_block *block, int s)
 {
     const pdmc_affine *model = block->model;
-    for (int s = 0; s < count && model->terms > 0; s++) {
-        const double scale[2] = {1.0, block->draw[s].load_factor};
-        const pdmc_status status = model->verbs->solve(model, block->draw[s].xi, scale, &block->x[s * model->unknowns]);
-        if (status == PDMC_ERR_SINGULAR) block->failure[s] = PDMC_SAMPLE_SINGULAR;
-        else if (status != PDMC_OK) return status;
-    }
+    const double scale[2] = {1.0, block->drawn.draw[s].load_share};
+    const pdmc_status status = model->verbs->solve(model, block->drawn.draw[s].xi, scale, &block->x[s * model->unknowns]);
+    if (status != PDMC_ERR_SINGULAR) return status;
+    block->failure[s] = PDMC_SAMPLE_SINGULAR;
     return PDMC_OK;
+}
+
+pdmc_status pdmc_block_solve_directly(pdmc_block *block, int s)
+{
+    block->failure[s] = PDMC_SAMPLE_OK;
+    block->solver[s] = PDMC_SOLVED_DIRECTLY;
+    return solve_one_directly(block, s);
+}
+
+static pdmc_status solve_directly(pdmc_block *block, int count)
+{
+    pdmc_status status = PDMC_OK;
+    for (int s = 0; s < count && block->model->terms > 0 && status == PDMC_OK; s++)
+        status = solve_one_directly(block, s);
+    return status;
 }
 
 static pdmc_status iterate(pdmc_block *block)
@@ -154,7 +179,7 @@ static pdmc_status iterate(pdmc_block *block)
     const double tolerance = block->problem->sampling.tolerance;
     const pdmc_affine *model = block->model;
     if (model->terms == 0) return PDMC_OK;
-    const pdmc_status status = pdmc_krylov_solve(model, block->xi, tolerance, block->x, block->residual);
+    const pdmc_status status = pdmc_krylov_solve(model, block->drawn.xi, tolerance, block->x, block->residual);
     for (int s = 0; s < B && status == PDMC_OK; s++) {
         if (block->failure[s] != PDMC_SAMPLE_OK) continue;
         if (isnan(block->residual[s])) block->failure[s] = PDMC_SAMPLE_SINGULAR;
@@ -167,9 +192,9 @@ static pdmc_status iterate(pdmc_block *block)
 static pdmc_status reduce(pdmc_block *block)
 {
     const int n = block->model->unknowns;
-    const pdmc_status status = pdmc_reduced_solve(block->model, block->xi, block->x, block->error);
+    const pdmc_status status = pdmc_reduced_solve(block->model, block->drawn.xi, block->x, block->error);
     for (int s = 0; s < B && status == PDMC_OK; s++) {
-        const double load = block->draw[s].load_factor;
+        const double load = block->drawn.draw[s].load_share;
         cblas_dscal(n, load, &block->x[s * n], 1);
         block->error[s] *= fabs(load);
     }
@@ -193,7 +218,10 @@ pdmc_status pdmc_block_solve_by(pdmc_block *block, pdmc_inverse inverse, int cou
 
 pdmc_status pdmc_block_solve(pdmc_block *block, int count)
 {
-    return pdmc_block_solve_by(block, block->problem->sampling.inverse, count);
+    const pdmc_inverse inverse = block->problem->sampling.inverse;
+    const pdmc_status status = pdmc_block_solve_by(block, inverse, count);
+    const bool may_fall_back = inverse == PDMC_INVERSE_NEUMANN || inverse == PDMC_INVERSE_KRYLOV;
+    return status == PDMC_OK && may_fall_back ? pdmc_block_fall_back(block, count) : status;
 }
 
 static void full_stretches(pdmc_block *block, const pdmc_crossing *crossing)
@@ -221,8 +249,9 @@ static void sparse_stretches(pdmc_block *block, const pdmc_crossing *crossing)
 }
 
 // Sums the squared stretches over each ring's bonds, in their order, and weights the rings by each sample's c(r).
-static void sum_rings(const pdmc_block *block, const pdmc_crossing *crossing, pdmc_bonds bonds, double energy[])
+static void sum_rings(const pdmc_block *block, int direction, pdmc_bonds bonds, double energy[])
 {
+    const pdmc_crossing *crossing = &block->model->crossings[direction];
     const int rings = block->model->rings;
     memset(block->ring_sum, 0, (size_t)rings * B * sizeof *block->ring_sum);
     for (int b = 0; b < crossing->bonds; b++) {
@@ -236,8 +265,8 @@ static void sum_rings(const pdmc_block *block, const pdmc_crossing *crossing, pd
     }
     for (int s = 0; s < B; s++) {
         double sum = 0.0;
-        for (int q = 0; q < rings; q++) sum += block->draw[s].ring_weight[q] * block->ring_sum[q * B + s];
-        energy[s] = 0.5 * block->model->micromodulus * sum;
+        for (int q = 0; q < rings; q++) sum += block->drawn.draw[s].ring_weight[q] * block->ring_sum[q * B + s];
+        energy[s] = 0.5 * block->model->micromodulus * block->drawn.draw[s].direction_modulus[direction] * sum;
     }
 }
 
@@ -255,7 +284,7 @@ void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds)
     for (int d = 0; d < model->tips * model->angles; d++) {
         const pdmc_crossing *crossing = &model->crossings[d];
         (crossing->column ? sparse_stretches : full_stretches)(block, crossing);
-        sum_rings(block, crossing, bonds, &block->energy[d * B]);
+        sum_rings(block, d, bonds, &block->energy[d * B]);
     }
     block->energy_seconds += pdmc_seconds() - begin;
 }
@@ -265,7 +294,7 @@ void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds)
 static void store_griffith(const pdmc_block *block, int s, const pdmc_tip *tip, int t, const double angles[],
                            double intensity[2], double griffith[])
 {
-    const double modulus = block->draw[s].effective_modulus;
+    const double modulus = block->drawn.draw[s].tip_modulus[t];
     for (int k = 0; k < 2; k++) intensity[k] = modulus * block->intensity[(2 * t + k) * B + s];
     const double plane_modulus = modulus * pdmc_plane_modulus(&block->problem->material);
     for (int a = 0; a < block->model->angles; a++)
@@ -291,20 +320,23 @@ void pdmc_block_store(const pdmc_block *block, int count, pdmc_results *results)
 {
     for (int s = 0; s < count; s++) {
         const size_t sample = (size_t)block->sample[s], bins = (size_t)results->bin_count;
-        results->load_factor[sample] = block->draw[s].load_factor;
-        results->effective_modulus[sample] = block->draw[s].effective_modulus;
+        results->load_factor[sample] = block->drawn.draw[s].load_factor;
+        results->effective_modulus[sample] = block->drawn.draw[s].effective_modulus;
         results->contraction[sample] = block->contraction[s];
         results->failure[sample] = (uint8_t)block->failure[s];
-        if (bins > 0) memcpy(&results->micromodulus[sample * bins], block->draw[s].micromodulus, bins * sizeof(double));
+        results->sample_solver[sample] = (uint8_t)block->solver[s];
+        results->sample_fracture_energy[sample] = pdmc_draw_fracture_energy(&block->drawn.draw[s]);
+        if (bins > 0) memcpy(&results->micromodulus[sample * bins], block->drawn.draw[s].micromodulus, bins * sizeof(double));
         store_sample(block, s, sample, results);
     }
 }
 
-void pdmc_block_nominal(pdmc_block *block, pdmc_results *results)
+pdmc_status pdmc_block_nominal(pdmc_block *block, pdmc_results *results)
 {
     const int angles = results->angle_count, directions = results->tip_count * angles;
     double intensity[2];
-    pdmc_block_draw(block, 0, 0);
+    const pdmc_status status = pdmc_block_draw(block, 0, 0);
+    if (status != PDMC_OK) return status;
     start(block);
     pdmc_block_energies(block, PDMC_BONDS_ALL);
     for (int d = 0; d < directions; d++) results->nominal_bond_energy[d] = block->energy[d * B];
@@ -314,4 +346,5 @@ void pdmc_block_nominal(pdmc_block *block, pdmc_results *results)
         store_griffith(block, 0, &results->tips[t], t, results->angles, intensity,
                        &results->nominal_griffith_energy[t * angles]);
     block->energy_seconds = 0.0;
+    return PDMC_OK;
 }

@@ -2,21 +2,21 @@
 #pragma once
 
 #include "pdmc/results.h"
-#include "stochastic/draw.h"
+#include "stochastic/variables.h"
 
 /// A block of samples on its way from random numbers to energies; one for each thread. Arrays are [PDMC_BLOCK, ...].
 typedef struct {
     const pdmc_problem *problem;
-    const pdmc_affine *model;
-    int sample[PDMC_BLOCK]; // -1 for the mean
-    pdmc_draw draw[PDMC_BLOCK];
-    double *numbers;                // the draws' arrays
-    double *xi;                     // [terms]
+    const pdmc_variables *variables;
+    const pdmc_affine *model;       // that the samples are solved by
+    int sample[PDMC_BLOCK];         // -1 for the mean
+    pdmc_draws drawn;
     double *x, *term, *next;        // [unknowns] solution, last and next term of the expansion
     double contraction[PDMC_BLOCK]; // of the expansion
     double residual[PDMC_BLOCK];    // of the iteration
     double error[PDMC_BLOCK];       // of the reduced model, bound of sqrt(e' K(xi) e); all NaN with another inverse
     pdmc_sample_failure failure[PDMC_BLOCK];
+    pdmc_sample_solver solver[PDMC_BLOCK];
     double *stretch;   // [bonds, PDMC_BLOCK]
     double *observed;  // [model's observed]
     double *ring_sum;  // [rings, PDMC_BLOCK] squared stretches
@@ -25,21 +25,32 @@ typedef struct {
     double solve_seconds, energy_seconds;
 } pdmc_block;
 
-PDMC_NODISCARD pdmc_status pdmc_block_create(const pdmc_problem *problem, const pdmc_affine *model, pdmc_block **block);
+/// @param[in] model  that of the variables, or one reduced from it; both are kept by reference
+PDMC_NODISCARD pdmc_status pdmc_block_create(const pdmc_variables *variables, const pdmc_affine *model,
+                                             pdmc_block **block);
 void pdmc_block_destroy(pdmc_block **block);
 
-/// Draws samples first .. first + count - 1; the block's other columns are solved too, without load, so that the shape
-/// of every matrix product is the same.
-void pdmc_block_draw(pdmc_block *block, int first, int count);
+/// Draws samples first .. first + count - 1; the block's other columns are solved too, at the mean, so that the shape of
+/// every matrix product is the same.
+PDMC_NODISCARD pdmc_status pdmc_block_draw(pdmc_block *block, int first, int count);
 
 /// Draws the samples that are named.
-void pdmc_block_draw_samples(pdmc_block *block, const int sample[], int count);
+PDMC_NODISCARD pdmc_status pdmc_block_draw_samples(pdmc_block *block, const int sample[], int count);
+
+/// Takes the random quantities at points z instead.
+/// @param[in] z  [count, variables]
+PDMC_NODISCARD pdmc_status pdmc_block_draw_points(pdmc_block *block, const double z[], int count);
 
 /// Solves the block by an inverse; PDMC_INVERSE_REDUCED where the model is a reduced one.
 PDMC_NODISCARD pdmc_status pdmc_block_solve_by(pdmc_block *block, pdmc_inverse inverse, int count);
 
-/// Solves the block by the problem's inverse.
+/// Solves the block by the problem's inverse. Samples whose expansion does not contract fall back: on conjugate gradients
+/// where the operator is symmetric, on what the expansion would tend to where the unknowns are few, and where that fails
+/// on their own factorisation.
 PDMC_NODISCARD pdmc_status pdmc_block_solve(pdmc_block *block, int count);
+
+/// Solves one sample of the block by its own factorisation, whatever failed before.
+PDMC_NODISCARD pdmc_status pdmc_block_solve_directly(pdmc_block *block, int s);
 
 /// Stress intensity factors and bond energies of the solutions.
 void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds);
@@ -48,4 +59,4 @@ void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds);
 void pdmc_block_store(const pdmc_block *block, int count, pdmc_results *results);
 
 /// Solves the mean sample and stores the nominal energies.
-void pdmc_block_nominal(pdmc_block *block, pdmc_results *results);
+PDMC_NODISCARD pdmc_status pdmc_block_nominal(pdmc_block *block, pdmc_results *results);

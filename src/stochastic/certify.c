@@ -33,11 +33,20 @@ static double error_at_mean(const pdmc_affine *reduced, const pdmc_draw *draw, d
     return error / sqrt(1.0 + least);
 }
 
+static double largest_stiffness(const pdmc_results *results, const pdmc_draw *draw)
+{
+    double largest = 0.0;
+    for (int d = 0; d < results->tip_count * results->angle_count; d++)
+        largest = fmax(largest, draw->direction_modulus[d]);
+    return largest;
+}
+
 double pdmc_certify_root_energy(const pdmc_problem *problem, const pdmc_affine *reduced, const pdmc_results *results,
                                 const pdmc_draw *draw, pdmc_measure measure, double error)
 {
     if (!isfinite(error)) return INFINITY;
-    if (measure == PDMC_MEASURE_BOND) return reduced->crossing_bound * error;
+    if (measure == PDMC_MEASURE_BOND)
+        return reduced->crossing_bound * error * sqrt(largest_stiffness(results, draw));
     // G = |F E_s K|^2 / (E_s E') with E_s the sample's modulus over the mean's
     const double plane_modulus = draw->effective_modulus * pdmc_plane_modulus(&problem->material);
     double largest = 0.0;
@@ -72,7 +81,7 @@ bool pdmc_certify_is_in_doubt(const pdmc_results *results, int sample, double de
 {
     for (int t = 0; t < results->tip_count; t++) {
         const double root = sqrt(largest_energy(results, results->measure, sample, t));
-        if (fabs(root - sqrt(results->fracture_energy)) <= delta) return true;
+        if (fabs(root - sqrt(results->sample_fracture_energy[sample])) <= delta) return true;
     }
     return false;
 }

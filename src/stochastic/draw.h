@@ -4,16 +4,28 @@
 #include "pdmc/affine.h"
 #include "pdmc/problem.h"
 
-/// The random quantities of one sample and what is linear in them.
+/// The random quantities of one sample and what follows from them. With s the effective modulus of the sample's c(r) over
+/// the mean's, K(c) = s K(c / s): the terms hold what is left of c(r) when it is divided by s, which is small whatever s
+/// is, and the answer is x = K(xi)^-1 (F_0 + load_share F_1).
 typedef struct {
-    double load_factor, effective_modulus;
-    double *micromodulus; // [bins] c_b / c_0
-    double *xi;           // [terms]
-    double *ring_weight;  // [energy rings] g_q
+    double value[PDMC_SCALARS]; // of the scalar quantities, each in its unit
+    double load_factor;         // on the tractions
+    double load_share;          // load_factor over the modulus that was divided out
+    double effective_modulus;   // E_eff / E, of c(r) and of E together
+    double energy_factor;       // E / mean E, by which bonds are stiffer beyond their c(r)
+    double *micromodulus;       // [bins] c_b / c_0
+    double *xi;                 // [terms]
+    double *ring_weight;        // [energy rings] g_q
+    double *tip_modulus;        // [tips] E_eff at the tip over the mean E
+    double *direction_modulus;  // [tips, angles] of the bonds that cross there, beyond c(r), over the mean
 } pdmc_draw;
 
-/// @param[in,out] draw  its arrays are the caller's
-void pdmc_draw_sample(const pdmc_problem *problem, const pdmc_affine *model, uint64_t sample, pdmc_draw *draw);
+/// The fracture energy of the sample, force / length.
+double pdmc_draw_fracture_energy(const pdmc_draw *draw);
 
-/// The sample at which every quantity has its mean.
-void pdmc_draw_mean(const pdmc_affine *model, pdmc_draw *draw);
+/// Fills what follows from the scalars, c(r), and the field's coefficients, which are the terms beyond the radial ones.
+/// @param[in,out] draw  value, micromodulus and the field's xi are set; its arrays are the caller's
+void pdmc_draw_complete(const pdmc_problem *problem, const pdmc_affine *model, pdmc_draw *draw);
+
+/// The sample at which every quantity has its nominal value, and every function its mean.
+void pdmc_draw_mean(const pdmc_problem *problem, const pdmc_affine *model, pdmc_draw *draw);

@@ -15,6 +15,7 @@
 // Shared by the threads of a run.
 typedef struct {
     const pdmc_problem *problem;
+    const pdmc_variables *variables;
     const pdmc_affine *model; // that the samples are solved by
     const pdmc_run_options *options;
     pdmc_results *results;
@@ -39,7 +40,7 @@ static void note_accuracy(const run *r, const pdmc_block *block, int count)
         const int sample = block->sample[s];
         r->residual[sample] = block->residual[s];
         for (int m = 0; m < PDMC_MEASURES && !isnan(block->error[s]); m++)
-            r->delta[m][sample] = pdmc_certify_root_energy(r->problem, r->model, r->results, &block->draw[s],
+            r->delta[m][sample] = pdmc_certify_root_energy(r->problem, r->model, r->results, &block->drawn.draw[s],
                                                            (pdmc_measure)m, block->error[s]);
     }
 }
@@ -47,8 +48,8 @@ static void note_accuracy(const run *r, const pdmc_block *block, int count)
 static pdmc_status solve_block(const run *r, pdmc_block *block, int index)
 {
     const int first = index * PDMC_BLOCK, count = block_size(r, index);
-    pdmc_block_draw(block, first, count);
-    const pdmc_status status = pdmc_block_solve(block, count);
+    pdmc_status status = pdmc_block_draw(block, first, count);
+    if (status == PDMC_OK) status = pdmc_block_solve(block, count);
     if (status != PDMC_OK) return status;
     pdmc_block_energies(block, r->problem->energy.bonds);
     pdmc_block_store(block, count, r->results);
@@ -64,29 +65,10 @@ static void report_block(run *r, int index)
         r->stop = true;
 }
 
-// An expansion that fails for the typical sample is refused before thousands of samples are spent on it.
-static pdmc_status check_contraction(const run *r, const pdmc_block *block)
-{
-    const int count = block_size(r, 0);
-    int diverged = 0;
-    double factor[PDMC_BLOCK];
-    for (int s = 0; s < count; s++) {
-        diverged += block->failure[s] == PDMC_SAMPLE_DIVERGED;
-        factor[s] = block->contraction[s];
-    }
-    if (2 * diverged < count || diverged == 0) return PDMC_OK;
-    gsl_sort(factor, 1, (size_t)count);
-    return pdmc_raise(PDMC_ERR_DATA,
-                      "the Neumann expansion does not contract: its measured factor is %.3g in the median of the first "
-                      "%d samples and must be < 1; take inverse = \"direct\" or a smaller variation",
-                      gsl_stats_median_from_sorted_data(factor, 1, (size_t)count), count);
-}
-
 static pdmc_status first_block(run *r, pdmc_block *block)
 {
-    pdmc_block_nominal(block, r->results);
-    pdmc_status status = solve_block(r, block, 0);
-    if (status == PDMC_OK) status = check_contraction(r, block);
+    pdmc_status status = pdmc_block_nominal(block, r->results);
+    if (status == PDMC_OK) status = solve_block(r, block, 0);
     if (status == PDMC_OK) report_block(r, 0);
     return status;
 }
@@ -94,7 +76,7 @@ static pdmc_status first_block(run *r, pdmc_block *block)
 static void work(run *r)
 {
     pdmc_block *block = NULL;
-    pdmc_status mine = pdmc_block_create(r->problem, r->model, &block);
+    pdmc_status mine = pdmc_block_create(r->variables, r->model, &block);
 #pragma omp single
     {
         if (mine == PDMC_OK) mine = first_block(r, block);
@@ -135,6 +117,8 @@ static pdmc_status allocate_samples(const pdmc_problem *problem, pdmc_results *r
     PDMC_NEW(results->effective_modulus, samples);
     PDMC_NEW(results->contraction, samples);
     PDMC_NEW(results->failure, samples);
+    PDMC_NEW(results->sample_solver, samples);
+    PDMC_NEW(results->sample_fracture_energy, samples);
     PDMC_NEW(results->stress_intensity, samples * 2 * (size_t)results->tip_count);
     for (int m = 0; m < PDMC_MEASURES; m++) PDMC_NEW(results->energy[m], samples * directions);
     PDMC_NEW(results->nominal_bond_energy, directions);
@@ -159,11 +143,12 @@ static pdmc_status solve_in_full(const run *r, const pdmc_affine *full, int coun
 {
     pdmc_status status = PDMC_OK;
     pdmc_block *block = NULL;
-    PDMC_TRY(pdmc_block_create(r->problem, full, &block));
+    PDMC_TRY(pdmc_block_create(r->variables, full, &block));
     for (int first = 0; first < count; first += PDMC_BLOCK) {
         const int size = count - first < PDMC_BLOCK ? count - first : PDMC_BLOCK;
-        pdmc_block_draw_samples(block, &sample[first], size);
+        PDMC_TRY(pdmc_block_draw_samples(block, &sample[first], size));
         PDMC_TRY(pdmc_block_solve_by(block, PDMC_INVERSE_KRYLOV, size));
+        for (int s = 0; s < size; s++) block->solver[s] = PDMC_SOLVED_BY_KRYLOV;
         pdmc_block_energies(block, r->problem->energy.bonds);
         pdmc_block_store(block, size, r->results);
         note_accuracy(r, block, size);
@@ -247,16 +232,17 @@ static double reduced_tolerance(const pdmc_problem *problem, const pdmc_affine *
     return margin * 0.5 * problem->sampling.energy_tolerance * sqrt(least) / full->crossing_bound;
 }
 
-static pdmc_status make_reduced(const pdmc_problem *problem, const pdmc_affine *full, int threads,
-                                pdmc_results *results, pdmc_affine *reduced)
+static pdmc_status make_reduced(const pdmc_variables *variables, int threads, pdmc_results *results,
+                                pdmc_affine *reduced)
 {
+    const pdmc_affine *full = variables->model;
     pdmc_status status = PDMC_OK;
     pdmc_block *block = NULL;
     const double begin = pdmc_seconds();
-    PDMC_TRY(pdmc_block_create(problem, full, &block));
-    pdmc_block_nominal(block, results);
+    PDMC_TRY(pdmc_block_create(variables, full, &block));
+    PDMC_TRY(pdmc_block_nominal(block, results));
     pdmc_block_destroy(&block);
-    PDMC_TRY(pdmc_reduced_create(problem, full, reduced_tolerance(problem, full, results), threads, reduced));
+    PDMC_TRY(pdmc_reduced_create(variables, reduced_tolerance(variables->problem, full, results), threads, reduced));
     results->accuracy.reduced_unknowns = reduced->unknowns;
     results->runtime.operators += pdmc_seconds() - begin;
 done:
@@ -272,17 +258,24 @@ pdmc_status pdmc_monte_carlo(const pdmc_problem *problem, const pdmc_affine *mod
     pdmc_status status = PDMC_OK;
     const bool is_reduced = problem->sampling.inverse == PDMC_INVERSE_REDUCED;
     pdmc_affine reduced = {0};
-    run r = {.problem = problem, .model = is_reduced ? &reduced : model, .options = options, .results = results};
+    pdmc_variables variables = {0};
+    run r = {.problem = problem,
+             .variables = &variables,
+             .model = is_reduced ? &reduced : model,
+             .options = options,
+             .results = results};
     results->accuracy = pdmc_no_accuracy;
     pdmc_blas_prepare();
+    PDMC_TRY(pdmc_variables_create(problem, model, &variables));
     PDMC_TRY(allocate_samples(problem, results));
-    if (is_reduced) PDMC_TRY(make_reduced(problem, model, options->threads, results, &reduced));
+    if (is_reduced) PDMC_TRY(make_reduced(&variables, options->threads, results, &reduced));
     PDMC_TRY(run_all(&r));
     if (is_reduced) PDMC_TRY(settle_doubts(&r, model));
     PDMC_TRY(summarise_accuracy(&r));
     for (int s = 0; s < results->sample_count; s++) results->failed_count += results->failure[s] != PDMC_SAMPLE_OK;
 done:
     pdmc_affine_clear(&reduced);
+    pdmc_variables_clear(&variables);
     pdmc_free(r.finished);
     pdmc_free(r.residual);
     for (int m = 0; m < PDMC_MEASURES; m++) pdmc_free(r.delta[m]);

@@ -7,28 +7,6 @@
 
 enum { B = PDMC_BLOCK };
 
-// What the two models have in common.
-static pdmc_status copy_weights(const pdmc_affine *full, pdmc_affine *reduced)
-{
-    pdmc_status status = PDMC_OK;
-    const size_t bins = (size_t)full->bins, terms = (size_t)full->terms, rings = (size_t)full->rings;
-    *reduced = (pdmc_affine){.terms = full->terms,
-                             .bins = full->bins,
-                             .rings = full->rings,
-                             .tips = full->tips,
-                             .angles = full->angles,
-                             .micromodulus = full->micromodulus,
-                             .crossing_bound = full->crossing_bound};
-    PDMC_NEW(reduced->term_weight, bins * terms);
-    PDMC_NEW(reduced->modulus_weight, bins);
-    PDMC_NEW(reduced->ring_weight, bins * rings);
-    memcpy(reduced->term_weight, full->term_weight, bins * terms * sizeof(double));
-    memcpy(reduced->modulus_weight, full->modulus_weight, bins * sizeof(double));
-    memcpy(reduced->ring_weight, full->ring_weight, bins * rings * sizeof(double));
-done:
-    return status;
-}
-
 // Numbers the unknowns that crossings look at; number: [unknowns], -1 for those that none does.
 static int number_observed(const pdmc_affine *full, int number[])
 {
@@ -117,17 +95,24 @@ done:
     return status;
 }
 
-pdmc_status pdmc_reduced_create(const pdmc_problem *problem, const pdmc_affine *full, double tolerance, int threads,
-                                pdmc_affine *reduced)
+pdmc_status pdmc_reduced_create(const pdmc_variables *variables, double tolerance, int threads, pdmc_affine *reduced)
 {
     static const pdmc_affine_verbs verbs = {.destroy = pdmc_reduced_system_destroy};
     pdmc_status status = PDMC_OK;
-    pdmc_reduced_builder b = {.problem = problem, .full = full, .threads = threads, .n = full->unknowns};
+    const pdmc_affine *full = variables->model;
+    pdmc_reduced_builder b = {.variables = variables, .full = full, .threads = threads, .n = full->unknowns};
     *reduced = (pdmc_affine){0};
     PDMC_TRY(pdmc_reduced_builder_create(&b));
     PDMC_TRY(pdmc_reduced_build(&b, tolerance));
-    PDMC_TRY(copy_weights(full, reduced));
-    reduced->verbs = &verbs;
+    // Draws take their weights from the full model.
+    *reduced = (pdmc_affine){.terms = full->terms,
+                             .radial_terms = full->radial_terms,
+                             .rings = full->rings,
+                             .tips = full->tips,
+                             .angles = full->angles,
+                             .micromodulus = full->micromodulus,
+                             .crossing_bound = full->crossing_bound,
+                             .verbs = &verbs};
     PDMC_TRY(reduce_vectors(&b, reduced));
     PDMC_TRY(reduce_crossings(&b, reduced));
     PDMC_TRY(bound_intensities(&b, reduced));

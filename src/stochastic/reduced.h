@@ -18,16 +18,16 @@
 
 #include "pdmc/affine.h"
 #include "pdmc/stochastic.h"
+#include "stochastic/variables.h"
 
 /// Displacements that are prescribed must be zero.
-/// @param[in]  full       a model with the verbs multiply, precondition and color, and a bound of its crossings; kept by
-///                        reference
+/// @param[in]  variables  of a model with the verbs multiply, precondition and color; kept by reference
 /// @param[in]  tolerance  of the bound of sqrt(e' K(xi) e) at the mean load
-/// @param[out] reduced    clear before `full`; zero on failure
+/// @param[out] reduced    clear before the model; zero on failure
 /// @return PDMC_OK (also where the largest basis does not meet the tolerance: the bounds say so), PDMC_ERR_NOMEM,
 /// PDMC_ERR_EXTERN, or the failure of a verb
-PDMC_NODISCARD pdmc_status pdmc_reduced_create(const pdmc_problem *problem, const pdmc_affine *full, double tolerance,
-                                               int threads, pdmc_affine *reduced);
+PDMC_NODISCARD pdmc_status pdmc_reduced_create(const pdmc_variables *variables, double tolerance, int threads,
+                                               pdmc_affine *reduced);
 
 /// Solves K(xi) x = F_1 for a block.
 /// @param[in]  xi     [PDMC_BLOCK, terms]

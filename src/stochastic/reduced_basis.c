@@ -27,7 +27,7 @@ pdmc_status pdmc_reduced_builder_create(pdmc_reduced_builder *b)
     PDMC_NEW(b->block, B * n);
     PDMC_NEW(b->product, B * n);
     PDMC_NEW(b->overlap, B * CAPACITY);
-    PDMC_NEW(b->xi, B * terms);
+    PDMC_TRY(pdmc_draws_create(b->variables, &b->training));
     PDMC_NEW(b->none, B * terms);
 done:
     return status;
@@ -43,7 +43,7 @@ void pdmc_reduced_builder_clear(pdmc_reduced_builder *b)
     pdmc_free(b->block);
     pdmc_free(b->product);
     pdmc_free(b->overlap);
-    pdmc_free(b->xi);
+    pdmc_draws_clear(&b->training);
     pdmc_free(b->none);
 }
 
@@ -53,7 +53,7 @@ static pdmc_status make_probes(pdmc_reduced_builder *b)
 #pragma omp parallel for schedule(static) num_threads(b->threads)
     for (int k = 0; k < PDMC_PROBES; k++) {
         double *g = &b->block[(size_t)k * n];
-        pdmc_random_uniform(b->problem->sampling.seed, PDMC_STREAM_PROBES, (uint64_t)k, 0, n, g);
+        pdmc_random_uniform(b->variables->problem->sampling.seed, PDMC_STREAM_PROBES, (uint64_t)k, 0, n, g);
         for (size_t i = 0; i < n; i++) g[i] = pdmc_normal_quantile(g[i]);
     }
     return b->full->verbs->color(b->full, b->block, b->probe);
@@ -82,19 +82,10 @@ static pdmc_status make_load(pdmc_reduced_builder *b)
 // Others in every round: the samples of the last one are in the basis, and say nothing of those that are not.
 static pdmc_status draw_training(pdmc_reduced_builder *b, int round)
 {
-    pdmc_status status = PDMC_OK;
-    const pdmc_affine *full = b->full;
-    pdmc_draw draw = {0};
-    PDMC_NEW(draw.micromodulus, full->bins);
-    PDMC_NEW(draw.ring_weight, full->rings);
-    for (int s = 0; s < B; s++) {
-        draw.xi = &b->xi[s * full->terms];
-        pdmc_draw_sample(b->problem, full, training_samples + (uint64_t)(round * B + s), &draw);
-    }
-done:
-    pdmc_free(draw.micromodulus);
-    pdmc_free(draw.ring_weight);
-    return status;
+    for (int s = 0; s < B; s++)
+        pdmc_variables_sample(b->variables, training_samples + (uint64_t)(round * B + s),
+                              &b->training.z[s * b->variables->count]);
+    return pdmc_variables_draw(b->variables, B, b->training.z, b->training.draw);
 }
 
 // block -= V (K_0 V)' block
@@ -222,7 +213,7 @@ static pdmc_status residuals(pdmc_reduced_builder *b, const double x[])
     const pdmc_affine_verbs *verbs = b->full->verbs;
     const int n = b->n, r = b->system->dimension;
     cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, B, n, r, 1.0, x, r, b->basis, n, 0.0, b->block, n);
-    pdmc_status status = verbs->multiply(b->full, 1.0, b->xi, b->block, b->product);
+    pdmc_status status = verbs->multiply(b->full, 1.0, b->training.xi, b->block, b->product);
     if (status != PDMC_OK) return status;
     for (int s = 0; s < B; s++) {
         double *row = &b->product[(size_t)s * (size_t)n];
@@ -235,7 +226,7 @@ static pdmc_status residuals(pdmc_reduced_builder *b, const double x[])
 static pdmc_status train(pdmc_reduced_builder *b, double x[], double *worst)
 {
     double error[B];
-    const pdmc_status status = pdmc_reduced_system_solve(b->system, b->xi, x, error);
+    const pdmc_status status = pdmc_reduced_system_solve(b->system, b->training.xi, x, error);
     *worst = 0.0;
     for (int s = 0; s < B && status == PDMC_OK; s++)
         if (isfinite(error[s])) *worst = fmax(*worst, error[s]);

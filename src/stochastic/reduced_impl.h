@@ -25,7 +25,7 @@ PDMC_NODISCARD pdmc_status pdmc_reduced_system_solve(const pdmc_reduced_system *
 
 /// What a basis is made with. Vectors are [count, unknowns]; B = PDMC_BLOCK.
 typedef struct {
-    const pdmc_problem *problem;
+    const pdmc_variables *variables;
     const pdmc_affine *full;
     int threads, n;
     pdmc_reduced_system *system;
@@ -34,7 +34,7 @@ typedef struct {
     double *load;            // [1] F
     double *block, *product; // [B]
     double *overlap;         // [B, PDMC_REDUCED_CAPACITY]
-    double *xi;              // [B, terms] of the training samples
+    pdmc_draws training;
     double *none;            // [B, terms] zero
 } pdmc_reduced_builder;
 

@@ -79,7 +79,7 @@ static void summarise_tip(pdmc_results *results, int tip, double share[])
     for (size_t s = 0; s < samples; s++) {
         if (results->failure[s] != PDMC_SAMPLE_OK) continue;
         const double *energy = &results->energy[results->measure][(s * (size_t)tips + (size_t)tip) * (size_t)angles];
-        hits += share_largest(energy, angles, share) > results->fracture_energy;
+        hits += share_largest(energy, angles, share) > results->sample_fracture_energy[s];
     }
     for (int a = 0; a < angles; a++) {
         pdmc_estimate *direction = &results->direction[tip * angles + a];

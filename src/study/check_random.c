@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/study_impl.h"
 
+#include "base/base_impl.h"
+
 #include <gsl/gsl_cdf.h>
 #include <math.h>
 
@@ -23,17 +25,93 @@ static void warn_of_negative_bins(const pdmc_study_reader *reader, int index)
                         u->bins, probability);
 }
 
+static pdmc_status check_covariance(const pdmc_study_reader *reader, int index)
+{
+    const pdmc_uncertainty *u = &reader->problem->uncertainties[index];
+    const bool needs = u->quantity == PDMC_QUANTITY_STIFFNESS || u->model == PDMC_RADIAL_PROCESS;
+    if (needs && !u->has_length)
+        return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "correlation_length"},
+                                 "missing, must be > 0");
+    if (!needs && u->has_length)
+        return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "correlation_length"},
+                                 "is no setting of the model \"radial_noise\"");
+    if (u->has_smoothness != (needs && u->covariance.kind == PDMC_COVARIANCE_MATERN))
+        return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "smoothness"},
+                                 "must be there for the covariance \"matern\", and for no other");
+    return PDMC_OK;
+}
+
+// c(r) and the stiffness: functions with a variation at every point.
+static pdmc_status check_function(const pdmc_study_reader *reader, int index)
+{
+    pdmc_uncertainty *u = &reader->problem->uncertainties[index];
+    if (!u->given.has[PDMC_PARAMETER_VARIATION]) u->given.value[PDMC_PARAMETER_VARIATION] = 0.20;
+    u->given.has[PDMC_PARAMETER_VARIATION] = true;
+    u->variation = u->given.value[PDMC_PARAMETER_VARIATION];
+    if (u->distribution != PDMC_NORMAL && u->distribution != PDMC_LOGNORMAL)
+        return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "distribution"},
+                                 "of a field must be \"normal\" or \"lognormal\"");
+    warn_of_negative_bins(reader, index);
+    return check_covariance(reader, index);
+}
+
+// What must be positive is seldom otherwise.
+static void warn_of_negative_values(const pdmc_study_reader *reader, int index)
+{
+    const pdmc_uncertainty *u = &reader->problem->uncertainties[index];
+    const double harmless = 1e-6, probability = pdmc_distribution_lower_tail(&u->law, 0.0);
+    if (u->quantity == PDMC_QUANTITY_LOAD || probability <= harmless) return;
+    pdmc_study_warn(reader, (pdmc_study_address){SECTION_RANDOM, index, "distribution"},
+                    "has values that are not positive with probability %.3g", probability);
+}
+
 pdmc_status pdmc_study_check_random(const pdmc_study_reader *reader)
 {
+    pdmc_status status = PDMC_OK;
     const pdmc_problem *p = reader->problem;
     for (int i = 0; i < p->uncertainty_count; i++) {
+        const bool is_scalar = p->uncertainties[i].quantity >= PDMC_FIRST_SCALAR;
         for (int j = 0; j < i; j++)
             if (p->uncertainties[j].quantity == p->uncertainties[i].quantity)
                 return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, i, "quantity"},
                                          "there already, must be once for each quantity");
-        warn_of_negative_bins(reader, i);
+        PDMC_TRY(is_scalar ? pdmc_study_make_law(reader, i) : check_function(reader, i));
+        if (is_scalar) warn_of_negative_values(reader, i);
+    }
+done:
+    return status;
+}
+
+static pdmc_status check_pair(const pdmc_study_reader *reader, int index)
+{
+    const pdmc_correlation *pair = &reader->problem->correlations[index];
+    const pdmc_study_address at = {SECTION_CORRELATIONS, index, "second"};
+    const pdmc_quantity both[2] = {pair->first, pair->second};
+    for (int k = 0; k < 2; k++)
+        if (both[k] < PDMC_FIRST_SCALAR || !pdmc_problem_uncertainty(reader->problem, both[k]))
+            return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_CORRELATIONS, index, k ? "second" : "first"},
+                                     "must be a scalar quantity of random");
+    if (pair->first == pair->second) return pdmc_study_refuse(reader, at, "must be another quantity than first");
+    for (int j = 0; j < index; j++) {
+        const pdmc_correlation *other = &reader->problem->correlations[j];
+        if ((other->first == pair->first && other->second == pair->second) ||
+            (other->first == pair->second && other->second == pair->first))
+            return pdmc_study_refuse(reader, at, "there already, must be once for each pair");
     }
     return PDMC_OK;
+}
+
+pdmc_status pdmc_study_check_correlations(const pdmc_study_reader *reader)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_problem *p = reader->problem;
+    double matrix[PDMC_SCALARS * PDMC_SCALARS], factor[PDMC_SCALARS * PDMC_SCALARS];
+    for (int i = 0; i < p->correlation_count; i++) PDMC_TRY(check_pair(reader, i));
+    pdmc_problem_correlation(p, matrix);
+    if (pdmc_copula_factor(PDMC_SCALARS, matrix, factor) != PDMC_OK)
+        return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_CORRELATIONS, -1, NULL}, "%s", pdmc_last_error());
+done:
+    return status;
 }
 
 pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader)
@@ -47,10 +125,9 @@ pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader)
                                  "\"%s\" needs the symmetric matrix of method = \"bond\", must be "
                                  "\"direct\" or \"neumann\"",
                                  is_reduced ? "reduced" : "krylov");
-    for (int s = 0; s < p->support_count && is_reduced; s++)
-        if (p->supports[s].displacement[0] != 0.0 || p->supports[s].displacement[1] != 0.0)
-            return pdmc_study_refuse(reader, at,
-                                     "\"reduced\" has no prescribed displacements but 0 yet, must be "
-                                     "\"direct\", \"neumann\" or \"krylov\"");
+    if (is_reduced && pdmc_problem_moves_sides(p))
+        return pdmc_study_refuse(reader, at,
+                                 "\"reduced\" has no prescribed displacements but 0 yet, must be "
+                                 "\"direct\", \"neumann\" or \"krylov\"");
     return PDMC_OK;
 }

@@ -84,15 +84,29 @@ static void write_tips(const writer *w, const pdmc_study_setting *s, const void 
     fputc(']', w->out);
 }
 
+static void write_reals(const writer *w, const pdmc_study_setting *s, const void *field)
+{
+    (void)s;
+    const pdmc_uncertainty *uncertainty = (const pdmc_uncertainty *)((const char *)field - s->offset);
+    fputc('[', w->out);
+    for (int i = 0; i < uncertainty->value_count; i++) {
+        if (i > 0) fputs(", ", w->out);
+        pdmc_study_print_real(w->out, uncertainty->values[i]);
+    }
+    fputc(']', w->out);
+}
+
 static write_function *const writers[KINDS] = {
     [KIND_REAL] = write_real, [KIND_OPTIONAL] = write_real, [KIND_PAIR] = write_pair,
     [KIND_INT] = write_int,   [KIND_SEED] = write_seed,     [KIND_TEXT] = write_text,
     [KIND_NAME] = write_name, [KIND_CHOICE] = write_choice, [KIND_TIPS] = write_tips,
+    [KIND_REALS] = write_reals,
 };
 
 static bool is_present(const pdmc_study_setting *s, const char *base)
 {
     if (!pdmc_study_setting_belongs(s, base)) return false;
+    if (s->kind == KIND_REALS) return *(const int *)(base + s->flag) > 0;
     return s->kind != KIND_OPTIONAL || *(const bool *)(base + s->flag);
 }
 

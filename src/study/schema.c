@@ -20,6 +20,13 @@
 #define LIST(type, field, length)                                                                                      \
     .size = sizeof(type), .items = offsetof(pdmc_problem, field), .count = offsetof(pdmc_problem, length)
 
+#define MICROMODULUS ONLY(PDMC_QUANTITY_MICROMODULUS)
+#define STIFFNESS ONLY(PDMC_QUANTITY_STIFFNESS)
+#define SCALAR (~(MICROMODULUS | STIFFNESS))
+#define OF_LAW(key, id, allowed, text)                                                                                 \
+    {SECTION_RANDOM, key, KIND_OPTIONAL, .range = allowed, .offset = offsetof(pdmc_uncertainty, given.value[id]),       \
+     .flag = offsetof(pdmc_uncertainty, given.has[id]), .quantities = SCALAR, .fallback = "none", .doc = text}
+
 #define ANY {-INFINITY, INFINITY, false}
 #define POSITIVE {0.0, INFINITY, true}
 #define NOT_NEGATIVE {0.0, INFINITY, false}
@@ -48,6 +55,10 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
     [SECTION_RANDOM] = {.name = "random", .doc = "list of uncertain quantities; without it the study is deterministic",
                         LIST(pdmc_uncertainty, uncertainties, uncertainty_count), .check = pdmc_study_check_random,
                         OF(PDMC_STATIC), .instead = "a dynamic study is deterministic for now"},
+    [SECTION_CORRELATIONS] = {.name = "correlations", OF(PDMC_STATIC),
+                              .doc = "list of pairs of scalar quantities that depend on each other, by a Gaussian copula",
+                              LIST(pdmc_correlation, correlations, correlation_count),
+                              .check = pdmc_study_check_correlations},
     [SECTION_SAMPLING] = {.name = "sampling", .doc = "the Monte Carlo simulation", OF(PDMC_STATIC),
                           .check = pdmc_study_check_sampling},
     [SECTION_ENERGY] = {.name = "energy", .doc = "the energy release rates that are asked for",
@@ -59,8 +70,11 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define ASSUMPTIONS CHOICES("plane_stress", "plane_strain")
 #define SIDES CHOICES("left", "right", "bottom", "top")
 #define FACES CHOICES("none", "left", "right")
-#define QUANTITIES CHOICES("micromodulus", "load")
-#define DISTRIBUTIONS CHOICES("normal", "lognormal")
+#define QUANTITIES CHOICES("micromodulus", "stiffness", "load", "youngs_modulus", "fracture_energy", "thickness")
+#define RADIAL_MODELS CHOICES("radial_noise", "radial_process")
+#define COVARIANCES CHOICES("exponential", "gaussian", "matern")
+#define DISTRIBUTIONS                                                                                                  \
+    CHOICES("normal", "lognormal", "weibull", "gumbel", "gamma", "beta", "uniform", "triangular", "empirical")
 #define METHODS CHOICES("kansa", "bond")
 #define AREAS CHOICES("full", "partial", "exact", "centroid")
 #define MICROMODULI CHOICES("averaged", "at_nodes")
@@ -181,18 +195,56 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .doc = "of a point on a crack: the face left or right of from -> to"},
 
     {SECTION_RANDOM, "quantity", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, quantity), .choices = QUANTITIES,
-     .doc = "what is uncertain, each quantity once"},
-    {SECTION_RANDOM, "model", KIND_CHOICE, .offset = NOT_STORED, .choices = CHOICES("radial_noise"),
-     .quantities = ONLY(PDMC_QUANTITY_MICROMODULUS), .fallback = "radial_noise",
-     .doc = "independent normal c(r) in each bin of [0, horizon]"},
+     .doc = "what is uncertain, each quantity once; the load is one factor on all tractions, stiffness a field in space"},
+    {SECTION_RANDOM, "model", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, model), .choices = RADIAL_MODELS,
+     .quantities = MICROMODULUS, .fallback = "radial_noise",
+     .doc = "normal c(r) in each bin of [0, horizon], independent or correlated over r"},
     {SECTION_RANDOM, "bins", KIND_INT, .range = FROM_TO(1, 10000), .offset = offsetof(pdmc_uncertainty, bins),
-     .quantities = ONLY(PDMC_QUANTITY_MICROMODULUS), .fallback = "100",
+     .quantities = MICROMODULUS, .fallback = "100",
      .doc = "a physical input: the scatter of the effective modulus falls as 1/sqrt(bins)"},
     {SECTION_RANDOM, "distribution", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, distribution),
-     .choices = DISTRIBUTIONS, .quantities = ONLY(PDMC_QUANTITY_LOAD), .fallback = "normal",
-     .doc = "of the one factor of mean 1 on all tractions"},
-    {SECTION_RANDOM, "variation", KIND_REAL, .range = NOT_NEGATIVE, .offset = offsetof(pdmc_uncertainty, variation),
-     .fallback = "0.20", .doc = "coefficient of variation"},
+     .choices = DISTRIBUTIONS, .quantities = SCALAR | STIFFNESS, .fallback = "normal",
+     .doc = "of the quantity; of a stiffness normal or lognormal at every point"},
+    {SECTION_RANDOM, "covariance", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, covariance.kind),
+     .choices = COVARIANCES, .quantities = MICROMODULUS | STIFFNESS, .fallback = "exponential",
+     .doc = "exp(-r/l), exp(-r^2/l^2), or Matern's, of a field or a radial process"},
+    {SECTION_RANDOM, "correlation_length", KIND_OPTIONAL, UNIT_LENGTH, POSITIVE,
+     offsetof(pdmc_uncertainty, covariance.length), offsetof(pdmc_uncertainty, has_length),
+     .quantities = MICROMODULUS | STIFFNESS, .fallback = "none", .doc = "l of the covariance"},
+    {SECTION_RANDOM, "smoothness", KIND_OPTIONAL, .range = FROM_TO(0.05, 20.0),
+     .offset = offsetof(pdmc_uncertainty, covariance.smoothness), .flag = offsetof(pdmc_uncertainty, has_smoothness),
+     .quantities = MICROMODULUS | STIFFNESS, .fallback = "none", .doc = "nu of Matern's covariance"},
+    {SECTION_RANDOM, "modes", KIND_INT, .range = FROM_TO(1, 2000), .offset = offsetof(pdmc_uncertainty, modes),
+     .quantities = MICROMODULUS | STIFFNESS, .fallback = "50",
+     .doc = "normal variables of the expansion of a field or a radial process"},
+    {SECTION_RANDOM, "variation", KIND_OPTIONAL, .range = NOT_NEGATIVE,
+     .offset = offsetof(pdmc_uncertainty, given.value[PDMC_PARAMETER_VARIATION]),
+     .flag = offsetof(pdmc_uncertainty, given.has[PDMC_PARAMETER_VARIATION]),
+     .fallback = "0.20 where no other parameter is given",
+     .doc = "coefficient of variation; of a function at a point"},
+    OF_LAW("mean", PDMC_PARAMETER_MEAN, ANY, "in the quantity's unit; default that of plate or material, 1 of the load"),
+    OF_LAW("median", PDMC_PARAMETER_MEDIAN, POSITIVE, "of a lognormal, with log_deviation"),
+    OF_LAW("log_deviation", PDMC_PARAMETER_LOG_DEVIATION, NOT_NEGATIVE, "standard deviation of a lognormal's logarithm"),
+    OF_LAW("location", PDMC_PARAMETER_LOCATION, ANY, "of a normal its mean, of a Gumbel its mode"),
+    OF_LAW("scale", PDMC_PARAMETER_SCALE, NOT_NEGATIVE, "of a normal its standard deviation; Weibull, Gumbel, gamma"),
+    OF_LAW("shape", PDMC_PARAMETER_SHAPE, POSITIVE, "of a Weibull or gamma"),
+    OF_LAW("lower", PDMC_PARAMETER_LOWER, ANY, "end of a beta, uniform or triangular"),
+    OF_LAW("mode", PDMC_PARAMETER_MODE, ANY, "of a triangular"),
+    OF_LAW("upper", PDMC_PARAMETER_UPPER, ANY, "end of a beta, uniform or triangular"),
+    OF_LAW("alpha", PDMC_PARAMETER_ALPHA, POSITIVE, "of a beta"),
+    OF_LAW("beta", PDMC_PARAMETER_BETA, POSITIVE, "of a beta"),
+    OF_LAW("least", PDMC_PARAMETER_LEAST, ANY, "cuts the distribution off below"),
+    OF_LAW("most", PDMC_PARAMETER_MOST, ANY, "cuts the distribution off above"),
+    {SECTION_RANDOM, "values", KIND_REALS, .range = ANY, .offset = offsetof(pdmc_uncertainty, values),
+     .flag = offsetof(pdmc_uncertainty, value_count), .quantities = SCALAR, .fallback = "none",
+     .doc = "[x1, x2, ...] of an empirical distribution, each as likely"},
+
+    {SECTION_CORRELATIONS, "first", KIND_CHOICE, .offset = offsetof(pdmc_correlation, first), .choices = QUANTITIES,
+     .doc = "a scalar quantity of random"},
+    {SECTION_CORRELATIONS, "second", KIND_CHOICE, .offset = offsetof(pdmc_correlation, second), .choices = QUANTITIES,
+     .doc = "another one"},
+    {SECTION_CORRELATIONS, "correlation", KIND_REAL, .range = {-1.0, 1.0, true},
+     .offset = offsetof(pdmc_correlation, correlation), .doc = "of the normal variables behind the two, below 1"},
 
     {SECTION_SAMPLING, "samples", KIND_INT, .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.samples),
      .fallback = "1000", .doc = "a smaller number is a prefix of a larger one"},
@@ -236,7 +288,8 @@ _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == si
                    sizeof(pdmc_measure) == sizeof(int) && sizeof(pdmc_problem_kind) == sizeof(int) &&
                    sizeof(pdmc_face) == sizeof(int) && sizeof(pdmc_method) == sizeof(int) &&
                    sizeof(pdmc_bond_area) == sizeof(int) && sizeof(pdmc_bond_micromodulus) == sizeof(int) &&
-                   sizeof(pdmc_energy_line) == sizeof(int),
+                   sizeof(pdmc_energy_line) == sizeof(int) && sizeof(pdmc_radial_model) == sizeof(int) &&
+                   sizeof(pdmc_covariance_kind) == sizeof(int),
                "enumerations of another size");
 
 pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem)
@@ -289,6 +342,7 @@ void pdmc_study_print_range(FILE *out, const pdmc_study_setting *setting)
     else if (setting->kind == KIND_TEXT) fputs("a text, not empty and without control characters", out);
     else if (setting->kind == KIND_NAME) fprintf(out, "a text of 1 to %d letters, digits, _ or -", PDMC_NAME_SIZE - 1);
     else if (setting->kind == KIND_TIPS) fputs("an array of names of tips", out);
+    else if (setting->kind == KIND_REALS) fputs("an array of 2 reals or more, [x1, x2, ...]", out);
     else if (!isfinite(range->low)) fputs("finite", out);
     else if (!isfinite(range->high)) fprintf(out, "%s %.15g", range->excluded ? ">" : ">=", range->low);
     else fprintf(out, "from %.15g to %.15g", range->low, range->high);

@@ -62,6 +62,7 @@ typedef enum {
     SECTION_HISTORY,
     SECTION_PROBES,
     SECTION_RANDOM,
+    SECTION_CORRELATIONS,
     SECTION_SAMPLING,
     SECTION_ENERGY,
     SECTIONS
@@ -76,7 +77,8 @@ typedef enum {
     KIND_TEXT,
     KIND_NAME, // of a crack or a probe
     KIND_CHOICE,
-    KIND_TIPS, // names of crack tips
+    KIND_TIPS,  // names of crack tips
+    KIND_REALS, // an array of reals: offset is that of the pointer, flag that of the count; may be absent
     KINDS
 } pdmc_study_kind;
 
@@ -111,7 +113,7 @@ typedef struct {
     pdmc_study_unit unit;
     pdmc_study_range range;
     size_t offset; // in the problem, or in the element of a list; NOT_STORED where there is only one choice so far
-    size_t flag;   // of an optional real: the bool that says it is there
+    size_t flag;   // of an optional real: the bool that says it is there; of reals: their count
     const char *const *choices; // ended by NULL, in the order of the enum
     const char *const *planned; // choices that are known, and not available yet; may be NULL
     unsigned quantities;        // the uncertain quantities the key belongs to, as bits; 0 for all
@@ -264,5 +266,8 @@ PDMC_NODISCARD pdmc_status pdmc_study_check_dynamics(const pdmc_study_reader *re
 PDMC_NODISCARD pdmc_status pdmc_study_check_history(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_probes(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_random(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_correlations(const pdmc_study_reader *reader);
+/// Completes the distribution of a scalar from the parameters that the file gives.
+PDMC_NODISCARD pdmc_status pdmc_study_make_law(const pdmc_study_reader *reader, int index);
 PDMC_NODISCARD pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_energy(const pdmc_study_reader *reader);

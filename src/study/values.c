@@ -50,11 +50,15 @@ static pdmc_status read_optional(const pdmc_study_record *r, const pdmc_study_se
     return read_real(r, s, value);
 }
 
+static bool is_sequence(const config_setting_t *value)
+{
+    return config_setting_type(value) == CONFIG_TYPE_ARRAY || config_setting_is_list(value);
+}
+
 static pdmc_status read_pair(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value)
 {
     double x[2];
-    const bool sequence = config_setting_type(value) == CONFIG_TYPE_ARRAY || config_setting_is_list(value);
-    if (!sequence || config_setting_length(value) != 2) return pdmc_study_refuse_kind(r, s, value);
+    if (!is_sequence(value) || config_setting_length(value) != 2) return pdmc_study_refuse_kind(r, s, value);
     for (unsigned i = 0; i < 2; i++) {
         const config_setting_t *element = config_setting_get_elem(value, i);
         if (!config_setting_is_number(element)) return pdmc_study_refuse_kind(r, s, element);
@@ -155,15 +159,34 @@ static pdmc_status read_choice(const pdmc_study_record *r, const pdmc_study_sett
 
 static pdmc_status read_tips(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value)
 {
-    if (value && config_setting_type(value) != CONFIG_TYPE_ARRAY && !config_setting_is_list(value))
+    if (value && !is_sequence(value))
         return pdmc_study_refuse_kind(r, s, value);
     return pdmc_study_parse_tips(r->reader, pdmc_study_address_of(r, s), value);
+}
+
+static pdmc_status read_reals(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value)
+{
+    if (!value) return PDMC_OK;
+    if (!is_sequence(value) || config_setting_length(value) < 2) return pdmc_study_refuse_kind(r, s, value);
+    const int count = config_setting_length(value);
+    double *x = pdmc_calloc((size_t)count, sizeof *x);
+    if (!x) return PDMC_ERR_NOMEM;
+    store(r, s, &x, sizeof x); // owned by the problem from here on
+    memcpy((char *)r->base + s->flag, &count, sizeof count);
+    for (int i = 0; i < count; i++) {
+        const config_setting_t *element = config_setting_get_elem(value, (unsigned)i);
+        if (!config_setting_is_number(element)) return pdmc_study_refuse_kind(r, s, element);
+        x[i] = number(element);
+        if (!in_range(&s->range, x[i])) return pdmc_study_refuse_value(r, s, element, "");
+    }
+    return PDMC_OK;
 }
 
 static read_function *const readers[KINDS] = {
     [KIND_REAL] = read_real, [KIND_OPTIONAL] = read_optional, [KIND_PAIR] = read_pair,
     [KIND_INT] = read_int,   [KIND_SEED] = read_seed,         [KIND_TEXT] = read_text,
     [KIND_NAME] = read_name, [KIND_CHOICE] = read_choice,     [KIND_TIPS] = read_tips,
+    [KIND_REALS] = read_reals,
 };
 
 pdmc_status pdmc_study_read_value(const pdmc_study_record *r, const pdmc_study_setting *s,

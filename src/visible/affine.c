@@ -112,7 +112,7 @@ static pdmc_status create_model(const pdmc_visible *visible, pdmc_affine *model)
     model->verbs = &verbs;
     made->visible = visible;
     model->bins = noise ? noise->bins : 1;
-    model->terms = visible->terms;
+    model->terms = model->radial_terms = visible->terms;
     PDMC_TRY(pdmc_radial_weights(model));
     pdmc_radial_sizes(model, noise ? noise->variation : 0.0, size);
     PDMC_TRY(find_response(visible, model, size, made));

@@ -25,8 +25,8 @@ static inline void describe(cracked *c, int bins, double variation)
     *c = (cracked){
         .crack = {"a", {-0.3, 0.0}, {0.3, 0.0}},
         .loads = {{PDMC_SIDE_TOP, {0.0, 1.0}}, {PDMC_SIDE_BOTTOM, {0.0, -1.0}}},
-        .uncertainties = {{PDMC_QUANTITY_MICROMODULUS, PDMC_NORMAL, bins, variation},
-                          {PDMC_QUANTITY_LOAD, PDMC_NORMAL, 0, 0.2}},
+        .uncertainties = {{PDMC_QUANTITY_MICROMODULUS, .bins = bins, .variation = variation},
+                          {PDMC_QUANTITY_LOAD, .law = {.kind = PDMC_NORMAL, .location = 1.0, .scale = 0.2, .least = -INFINITY, .most = INFINITY}}},
         .tips = {0, 1},
     };
     c->problem = (pdmc_problem){

@@ -3,7 +3,7 @@
 /// Samples of a cracked grid: three ways to solve them, and what symmetry demands of their energies.
 
 #include "bond/cracked.h"
-#include "stochastic/block.h"
+#include "support/drawn_block.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -14,18 +14,17 @@ enum { COUNT = 8, VALUES = COUNT * TIPS * ANGLES };
 // Energies of the first samples, [COUNT, TIPS ANGLES].
 static void sample(cracked *c, pdmc_inverse inverse, int order, double energy[VALUES])
 {
-    pdmc_block *block = NULL;
+    drawn_block drawn;
     c->problem.sampling.inverse = inverse;
     c->problem.sampling.order = order;
-    CHECK_OK(pdmc_block_create(&c->problem, &c->model, &block));
-    pdmc_block_draw(block, 0, COUNT);
+    pdmc_block *block = drawn_block_begin(&drawn, &c->problem, &c->model, COUNT);
     CHECK_OK(pdmc_block_solve(block, COUNT));
     pdmc_block_energies(block, PDMC_BONDS_ALL);
     for (int s = 0; s < COUNT; s++) {
         assert_int_equal(block->failure[s], PDMC_SAMPLE_OK);
         for (int d = 0; d < TIPS * ANGLES; d++) energy[TIPS * ANGLES * s + d] = block->energy[d * PDMC_BLOCK + s];
     }
-    pdmc_block_destroy(&block);
+    drawn_block_end(&drawn);
 }
 
 static double largest_difference(const double energy[VALUES], const double exact[VALUES])

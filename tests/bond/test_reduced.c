@@ -3,9 +3,9 @@
 /// The reduced model of a cracked grid against the iteration in full.
 
 #include "bond/cracked.h"
-#include "stochastic/draw.h"
 #include "stochastic/krylov.h"
 #include "stochastic/reduced.h"
+#include "support/drawn_block.h"
 
 #include <cblas.h>
 #include <math.h>
@@ -13,23 +13,9 @@
 
 enum { B = PDMC_BLOCK };
 
-static double xi[B * 64];
-
-static void draw(const cracked *c)
-{
-    pdmc_draw one = {0};
-    double ring_weight[64], micromodulus[100];
-    one.micromodulus = micromodulus;
-    one.ring_weight = ring_weight;
-    assert_true(c->model.terms <= 64 && c->model.bins <= 100);
-    for (int s = 0; s < B; s++) {
-        one.xi = &xi[s * c->model.terms];
-        pdmc_draw_sample(&c->problem, &c->model, (uint64_t)s, &one);
-    }
-}
-
 // sqrt(e' K(xi) e) of the error of a reduced displacement.
-static void true_errors(const cracked *c, const pdmc_affine *reduced, const double y[], double error[B])
+static void true_errors(const cracked *c, const pdmc_affine *reduced, const double xi[], const double y[],
+                        double error[B])
 {
     const int n = c->model.unknowns;
     double residual[B], *x = pdmc_calloc((size_t)B * (size_t)n, sizeof *x),
@@ -58,16 +44,17 @@ static void the_bound_holds(void **state)
     describe(&c, 100, 0.2);
     c.problem.solver.micromodulus = PDMC_MICROMODULUS_AT_NODES;
     make(&c);
-    draw(&c);
+    drawn_block drawn;
+    const double *xi = drawn_block_begin(&drawn, &c.problem, &c.model, B)->drawn.xi;
     const double tolerances[3] = {3e-2, 3e-3, 3e-4};
     double size = 0.0;
     for (int i = 0; i < 3; i++) {
         pdmc_affine reduced;
         double bound[B], error[B], least = INFINITY, most = 0.0, worst = 0.0;
-        CHECK_OK(pdmc_reduced_create(&c.problem, &c.model, tolerances[i], 2, &reduced));
+        CHECK_OK(pdmc_reduced_create(&drawn.variables, tolerances[i], 2, &reduced));
         double *y = pdmc_calloc((size_t)B * (size_t)reduced.unknowns, sizeof *y);
         CHECK_OK(pdmc_reduced_solve(&reduced, xi, y, bound));
-        true_errors(&c, &reduced, y, error);
+        true_errors(&c, &reduced, xi, y, error);
         for (int s = 0; s < B; s++) {
             size = fmax(size, cblas_dnrm2(reduced.unknowns, &y[s * reduced.unknowns], 1));
             least = fmin(least, bound[s] / error[s]);
@@ -82,6 +69,7 @@ static void the_bound_holds(void **state)
         pdmc_free(y);
         pdmc_affine_clear(&reduced);
     }
+    drawn_block_end(&drawn);
     clear(&c);
 }
 

@@ -10,7 +10,7 @@ static const double pi = 3.14159265358979323846;
 static void make_noisy(plate *p, int bins, double variation, int cells)
 {
     plate_make_cracked(p, 0.5, 0.0, cells);
-    p->uncertainties[0] = (pdmc_uncertainty){PDMC_QUANTITY_MICROMODULUS, PDMC_NORMAL, bins, variation};
+    p->uncertainties[0] = (pdmc_uncertainty){PDMC_QUANTITY_MICROMODULUS, .bins = bins, .variation = variation};
     p->problem.uncertainty_count = 1;
 }
 

@@ -14,7 +14,7 @@ static void make_noisy(plate *p, int bins, double variation)
     p->problem.energy.horizon = 0.1;
     p->problem.energy.extension = 0.05;
     paper_settings(p, true);
-    p->uncertainties[0] = (pdmc_uncertainty){PDMC_QUANTITY_MICROMODULUS, PDMC_NORMAL, bins, variation};
+    p->uncertainties[0] = (pdmc_uncertainty){PDMC_QUANTITY_MICROMODULUS, .bins = bins, .variation = variation};
     p->problem.uncertainty_count = 1;
 }
 

@@ -218,7 +218,7 @@ static void refusal_of_memory(void **state)
     pdmc_paper *paper = NULL;
     plate_make_cracked(&p, 0.5, 0.3, 4);
     paper_settings(&p, true);
-    p.uncertainties[0] = (pdmc_uncertainty){PDMC_QUANTITY_MICROMODULUS, PDMC_NORMAL, 10, 0.2};
+    p.uncertainties[0] = (pdmc_uncertainty){PDMC_QUANTITY_MICROMODULUS, .bins = 10, .variation = 0.2};
     p.problem.uncertainty_count = 1;
     CHECK_FAILS_CLEANLY(pdmc_paper_create(&p.problem, 1, &paper), (void)0);
     pdmc_paper_destroy(&paper);

@@ -82,7 +82,8 @@ static void defaults_of_uncertainties(void **state)
     assert_int_equal(study.problem.uncertainty_count, 2);
     assert_int_equal(load->distribution, PDMC_NORMAL);
     assert_int_equal(modulus->bins, 100);
-    CHECK_NEAR(load->variation, 0.2, 0.0);
+    CHECK_NEAR(load->law.location, 1.0, 0.0);
+    CHECK_NEAR(load->law.scale, 0.2, 0.0);
     CHECK_NEAR(modulus->variation, 0.2, 0.0);
     pdmc_study_clear(&study);
 }

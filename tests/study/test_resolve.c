@@ -17,10 +17,30 @@ static const char everything[] =
     "solver = { method = \"kansa\"; crack_model = \"analytic\"; spacing = 0.30000000000000004; horizon = 0.07;\n"
     "           shape = 1.7; polynomial_degree = 2; crack_orders = 8; radial_points = 4; };\n"
     "random = ( { quantity = \"load\"; distribution = \"lognormal\"; variation = 0.15; },\n"
-    "           { quantity = \"micromodulus\"; model = \"radial_noise\"; bins = 17; variation = 0.05; } );\n"
+    "           { quantity = \"micromodulus\"; model = \"radial_process\"; bins = 17; variation = 0.05; modes = 9;\n"
+    "             covariance = \"matern\"; correlation_length = 0.02; smoothness = 1.5; },\n"
+    "           { quantity = \"stiffness\"; distribution = \"lognormal\"; correlation_length = 0.5; },\n"
+    "           { quantity = \"fracture_energy\"; distribution = \"weibull\"; scale = 0.3; shape = 7; most = 0.4; },\n"
+    "           { quantity = \"thickness\"; distribution = \"triangular\"; lower = 0.2; mode = 0.3; upper = 0.5; },\n"
+    "           { quantity = \"youngs_modulus\"; distribution = \"empirical\"; values = [3, 1.5, 2e3, 0.1]; } );\n"
+    "correlations = ( { first = \"load\"; second = \"thickness\"; correlation = -0.3; } );\n"
     "sampling = { samples = 12345; inverse = \"direct\"; order = 2; };\n"
     "energy = { tips = [\"crack2.to\", \"left-1.from\"]; angles = 36; horizon = 0.04; extension = 0.005;\n"
     "           bonds = \"tensile\"; measure = \"bond\"; };\n";
+
+// The law by its values, the rest bit for bit once the pointers are gone.
+static void check_same_uncertainty(const pdmc_uncertainty *a, const pdmc_uncertainty *b)
+{
+    pdmc_uncertainty x = *a, y = *b;
+    assert_int_equal(a->value_count, b->value_count);
+    if (a->value_count > 0) assert_memory_equal(a->values, b->values, (size_t)a->value_count * sizeof *a->values);
+    for (int z = -2; z <= 2 && a->quantity >= PDMC_FIRST_SCALAR; z++)
+        CHECK_NEAR(pdmc_distribution_value(&a->law, z), pdmc_distribution_value(&b->law, z), 0.0);
+    memset(&x.law, 0, sizeof x.law);
+    memset(&y.law, 0, sizeof y.law);
+    x.values = y.values = NULL;
+    assert_memory_equal(&x, &y, sizeof x);
+}
 
 static void check_same_items(const pdmc_problem *a, const pdmc_problem *b)
 {
@@ -32,7 +52,9 @@ static void check_same_items(const pdmc_problem *a, const pdmc_problem *b)
     SAME_ITEMS(cracks, crack_count);
     SAME_ITEMS(loads, load_count);
     SAME_ITEMS(supports, support_count);
-    SAME_ITEMS(uncertainties, uncertainty_count);
+    SAME_ITEMS(correlations, correlation_count);
+    assert_int_equal(a->uncertainty_count, b->uncertainty_count);
+    for (int i = 0; i < a->uncertainty_count; i++) check_same_uncertainty(&a->uncertainties[i], &b->uncertainties[i]);
     SAME_ITEMS(history, history_count);
     SAME_ITEMS(probes, probe_count);
     SAME_ITEMS(energy.tips, energy.tip_count);
@@ -55,6 +77,7 @@ static void check_same(const pdmc_problem *a, const pdmc_problem *b)
         both[i]->loads = NULL;
         both[i]->supports = NULL;
         both[i]->uncertainties = NULL;
+        both[i]->correlations = NULL;
         both[i]->history = NULL;
         both[i]->probes = NULL;
         both[i]->energy.tips = NULL;

@@ -2,7 +2,7 @@
 #include "visible/cracked.h"
 
 #include "pdmc/fracture.h"
-#include "stochastic/block.h"
+#include "support/drawn_block.h"
 
 #include <gsl/gsl_math.h>
 
@@ -13,7 +13,7 @@ static void make_noisy(plate *p, int bins, double variation, int refinement)
     cracked_make(p, 5.0, 0.15, refinement);
     cracked_load(p, tension);
     plate_crack(p, 0.0, 0.0, 0.5, 0.0);
-    p->uncertainties[0] = (pdmc_uncertainty){PDMC_QUANTITY_MICROMODULUS, PDMC_NORMAL, bins, variation};
+    p->uncertainties[0] = (pdmc_uncertainty){PDMC_QUANTITY_MICROMODULUS, .bins = bins, .variation = variation};
     p->problem.uncertainty_count = 1;
 }
 
@@ -22,18 +22,17 @@ enum { COUNT = 4, DIRECTIONS = 16 };
 // Energies of the first samples, [COUNT, DIRECTIONS].
 static void sample(plate *p, const pdmc_affine *model, pdmc_inverse inverse, int order, double energy[])
 {
-    pdmc_block *block = NULL;
+    drawn_block drawn;
     p->problem.sampling.inverse = inverse;
     p->problem.sampling.order = order;
-    CHECK_OK(pdmc_block_create(&p->problem, model, &block));
-    pdmc_block_draw(block, 0, COUNT);
+    pdmc_block *block = drawn_block_begin(&drawn, &p->problem, model, COUNT);
     CHECK_OK(pdmc_block_solve(block, COUNT));
     pdmc_block_energies(block, PDMC_BONDS_ALL);
     for (int s = 0; s < COUNT; s++) {
         assert_int_equal(block->failure[s], PDMC_SAMPLE_OK);
         for (int d = 0; d < DIRECTIONS; d++) energy[DIRECTIONS * s + d] = block->energy[d * PDMC_BLOCK + s];
     }
-    pdmc_block_destroy(&block);
+    drawn_block_end(&drawn);
 }
 
 static double largest_difference(const double energy[], const double exact[])
@@ -60,7 +59,7 @@ static void the_expansion_converges_to_direct_solutions(void **state)
         error[k] = largest_difference(energy, exact);
     }
     printf("  expansion of orders 0, 2, 4 against direct solutions: %.1e %.1e %.1e\n", error[0], error[1], error[2]);
-    assert_true(error[0] > 1e-2);
+    assert_true(error[0] > 1e-3);
     assert_true(error[1] < 1e-2 * error[0]);
     assert_true(error[2] < 5e-6);
     pdmc_affine_clear(&model);

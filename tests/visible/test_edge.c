@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stochastic/block.h"
+#include "support/drawn_block.h"
 #include "visible/cracked.h"
 
 #include <gsl/gsl_math.h>
@@ -124,12 +124,11 @@ static void energies_are_symmetric(void **state)
     plate p;
     pdmc_visible *visible = NULL;
     pdmc_affine model;
-    pdmc_block *block = NULL;
+    drawn_block drawn;
     make(&p, PDMC_SIDE_LEFT, 1.0, 0.3, 0.2);
     CHECK_OK(pdmc_visible_create(&p.problem, NULL, 1, &visible));
     CHECK_OK(pdmc_visible_affine(visible, &model));
-    CHECK_OK(pdmc_block_create(&p.problem, &model, &block));
-    pdmc_block_draw(block, 0, 1);
+    pdmc_block *block = drawn_block_begin(&drawn, &p.problem, &model, 1);
     CHECK_OK(pdmc_block_solve(block, 1));
     pdmc_block_energies(block, PDMC_BONDS_ALL);
     for (int k = 1; k < 4; k++) {
@@ -138,7 +137,7 @@ static void energies_are_symmetric(void **state)
         CHECK_NEAR(left, right, 0.02 * right);
     }
     assert_true(block->energy[4 * PDMC_BLOCK] == 0.0);
-    pdmc_block_destroy(&block);
+    drawn_block_end(&drawn);
     pdmc_affine_clear(&model);
     pdmc_visible_destroy(&visible);
 }

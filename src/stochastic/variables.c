@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stochastic/variables.h"
+
+#include "base/base_impl.h"
+
+#include <math.h>
+
+static const pdmc_stream streams[PDMC_QUANTITIES] = {
+    [PDMC_QUANTITY_MICROMODULUS] = PDMC_STREAM_MICROMODULUS,
+    [PDMC_QUANTITY_STIFFNESS] = PDMC_STREAM_FIELD,
+    [PDMC_QUANTITY_LOAD] = PDMC_STREAM_LOAD,
+    [PDMC_QUANTITY_YOUNGS_MODULUS] = PDMC_STREAM_YOUNGS_MODULUS,
+    [PDMC_QUANTITY_FRACTURE_ENERGY] = PDMC_STREAM_FRACTURE_ENERGY,
+    [PDMC_QUANTITY_THICKNESS] = PDMC_STREAM_THICKNESS,
+};
+
+static int count_of(const pdmc_affine *model, const pdmc_uncertainty *uncertainty)
+{
+    switch (uncertainty->quantity) {
+    case PDMC_QUANTITY_MICROMODULUS:
+        return uncertainty->model == PDMC_RADIAL_PROCESS && uncertainty->modes < model->bins ? uncertainty->modes
+                                                                                             : model->bins;
+    case PDMC_QUANTITY_STIFFNESS: return model->field ? pdmc_field_modes(model->field) : 0;
+    default: return 1;
+    }
+}
+
+static void add_group(pdmc_variables *v, pdmc_quantity quantity)
+{
+    const pdmc_uncertainty *uncertainty = pdmc_problem_uncertainty(v->problem, quantity);
+    const int count = uncertainty ? count_of(v->model, uncertainty) : 0;
+    if (count == 0) return;
+    v->groups[v->group_count++] = (pdmc_variable_group){quantity, streams[quantity], v->count, count};
+    v->count += count;
+}
+
+static pdmc_status correlate_radius(pdmc_variables *v)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_uncertainty *process = pdmc_problem_uncertainty(v->problem, PDMC_QUANTITY_MICROMODULUS);
+    if (!process || process->model != PDMC_RADIAL_PROCESS) return PDMC_OK;
+    const int bins = v->model->bins, modes = pdmc_variables_group(v, PDMC_QUANTITY_MICROMODULUS)->count;
+    double retained;
+    PDMC_NEW(v->radial_factor, bins * modes);
+    PDMC_TRY(pdmc_radial_modes(&process->covariance, v->problem->solver.horizon, bins, modes, v->radial_factor, &retained));
+done:
+    return status;
+}
+
+pdmc_status pdmc_variables_create(const pdmc_problem *problem, const pdmc_affine *model, pdmc_variables *out)
+{
+    pdmc_status status = PDMC_OK;
+    double correlation[PDMC_SCALARS * PDMC_SCALARS];
+    *out = (pdmc_variables){.problem = problem, .model = model};
+    for (int q = PDMC_FIRST_SCALAR; q < PDMC_QUANTITIES; q++) add_group(out, (pdmc_quantity)q);
+    add_group(out, PDMC_QUANTITY_STIFFNESS);
+    add_group(out, PDMC_QUANTITY_MICROMODULUS);
+    pdmc_problem_correlation(problem, correlation);
+    PDMC_TRY(pdmc_copula_factor(PDMC_SCALARS, correlation, out->copula));
+    PDMC_TRY(correlate_radius(out));
+done:
+    if (status != PDMC_OK) pdmc_variables_clear(out);
+    return status;
+}
+
+void pdmc_variables_clear(pdmc_variables *variables)
+{
+    pdmc_free(variables->radial_factor);
+    *variables = (pdmc_variables){0};
+}
+
+const pdmc_variable_group *pdmc_variables_group(const pdmc_variables *variables, pdmc_quantity quantity)
+{
+    for (int g = 0; g < variables->group_count; g++)
+        if (variables->groups[g].quantity == quantity) return &variables->groups[g];
+    return NULL;
+}
+
+void pdmc_variables_sample(const pdmc_variables *variables, uint64_t sample, double z[])
+{
+    for (int g = 0; g < variables->group_count; g++) {
+        const pdmc_variable_group *group = &variables->groups[g];
+        double *own = &z[group->first];
+        pdmc_random_uniform(variables->problem->sampling.seed, group->stream, sample, 0, (size_t)group->count, own);
+        for (int k = 0; k < group->count; k++) own[k] = pdmc_normal_quantile(own[k]);
+    }
+}
+
+static void draw_scalars(const pdmc_variables *v, const double z[], pdmc_draw *draw)
+{
+    double normal[PDMC_SCALARS] = {0};
+    for (int q = 0; q < PDMC_SCALARS; q++) {
+        const pdmc_variable_group *group = pdmc_variables_group(v, (pdmc_quantity)(PDMC_FIRST_SCALAR + q));
+        if (group) normal[q] = z[group->first];
+    }
+    for (int q = 0; q < PDMC_SCALARS; q++) {
+        const pdmc_quantity quantity = (pdmc_quantity)(PDMC_FIRST_SCALAR + q);
+        const pdmc_uncertainty *uncertainty = pdmc_problem_uncertainty(v->problem, quantity);
+        double correlated = 0.0;
+        for (int k = 0; k <= q; k++) correlated += v->copula[q * PDMC_SCALARS + k] * normal[k];
+        draw->value[q] = uncertainty ? pdmc_distribution_value(&uncertainty->law, correlated)
+                                     : pdmc_problem_nominal(v->problem, quantity);
+    }
+}
+
+static void draw_micromodulus(const pdmc_variables *v, const double z[], double micromodulus[])
+{
+    const pdmc_variable_group *group = pdmc_variables_group(v, PDMC_QUANTITY_MICROMODULUS);
+    for (int b = 0; b < v->model->bins; b++) micromodulus[b] = 1.0;
+    if (!group) return;
+    const double variation = pdmc_problem_uncertainty(v->problem, PDMC_QUANTITY_MICROMODULUS)->variation;
+    for (int b = 0; b < v->model->bins; b++) {
+        double normal = 0.0;
+        if (v->radial_factor)
+            for (int k = 0; k < group->count; k++) normal += v->radial_factor[b * group->count + k] * z[group->first + k];
+        else normal = z[group->first + b];
+        micromodulus[b] += variation * normal;
+    }
+}
+
+// The field's coefficients of all points at once, which is what makes a lognormal one cheap.
+static pdmc_status draw_field(const pdmc_variables *v, int count, const double z[], pdmc_draw draw[])
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_variable_group *group = pdmc_variables_group(v, PDMC_QUANTITY_STIFFNESS);
+    const int radial = v->model->radial_terms, terms = v->model->terms - radial;
+    double *own = NULL, *xi = NULL;
+    if (!group) return PDMC_OK;
+    PDMC_NEW(own, count * group->count);
+    PDMC_NEW(xi, count * terms);
+    for (int s = 0; s < count; s++)
+        for (int k = 0; k < group->count; k++) own[s * group->count + k] = z[s * v->count + group->first + k];
+    PDMC_TRY(pdmc_field_coefficients(v->model->field, count, own, xi));
+    for (int s = 0; s < count; s++)
+        for (int k = 0; k < terms; k++) draw[s].xi[radial + k] = xi[s * terms + k];
+done:
+    pdmc_free(own);
+    pdmc_free(xi);
+    return status;
+}
+
+pdmc_status pdmc_variables_draw(const pdmc_variables *variables, int count, const double z[], pdmc_draw draw[])
+{
+    const pdmc_status status = draw_field(variables, count, z, draw);
+    for (int s = 0; s < count && status == PDMC_OK; s++) {
+        const double *point = &z[s * variables->count];
+        draw_scalars(variables, point, &draw[s]);
+        draw_micromodulus(variables, point, draw[s].micromodulus);
+        pdmc_draw_complete(variables->problem, variables->model, &draw[s]);
+    }
+    return status;
+}
+
+pdmc_status pdmc_draws_create(const pdmc_variables *variables, pdmc_draws *out)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_affine *model = variables->model;
+    const int each = model->bins + model->rings + model->tips + model->tips * model->angles;
+    *out = (pdmc_draws){0};
+    PDMC_NEW(out->z, PDMC_BLOCK * (size_t)variables->count);
+    PDMC_NEW(out->xi, PDMC_BLOCK * (size_t)model->terms);
+    PDMC_NEW(out->numbers, PDMC_BLOCK * (size_t)each);
+    for (int s = 0; s < PDMC_BLOCK; s++) {
+        pdmc_draw *draw = &out->draw[s];
+        draw->xi = &out->xi[s * model->terms];
+        draw->micromodulus = &out->numbers[s * each];
+        draw->ring_weight = draw->micromodulus + model->bins;
+        draw->tip_modulus = draw->ring_weight + model->rings;
+        draw->direction_modulus = draw->tip_modulus + model->tips;
+    }
+done:
+    if (status != PDMC_OK) pdmc_draws_clear(out);
+    return status;
+}
+
+void pdmc_draws_clear(pdmc_draws *draws)
+{
+    pdmc_free(draws->z);
+    pdmc_free(draws->xi);
+    pdmc_free(draws->numbers);
+    *draws = (pdmc_draws){0};
+}
