@@ -40,6 +40,15 @@ PDMC_API pdmc_estimate pdmc_statistics_quantile(size_t n, const double sorted[],
 /// @param[in] hits  <= n
 PDMC_API pdmc_estimate pdmc_statistics_proportion(size_t hits, size_t n, double confidence);
 
+/// The mean of values in [0, 1], such as probabilities given a part of what is random, with an interval for skewed
+/// samples: that of Student's T made symmetric by T + a T^2 / 3 + a^2 T^3 / 27 + a / 6, a = skewness / sqrt(n) (Hall
+/// 1992), cut to [0, 1]. Where Student's interval misses 8 of 100 means, all but a few from below, it misses 7; see
+/// src/statistics/README.md. Of zeros alone the upper bound is that of pdmc_statistics_proportion(), since the mean is
+/// no more than the probability of a value above 0. Without spread else, the interval has no width.
+/// @param[in] n  number of samples; NaN is what too few cannot tell, as in pdmc_statistics_moments()
+/// @param[in] x  [n] in [0, 1]
+PDMC_API pdmc_estimate pdmc_statistics_bounded_mean(size_t n, const double x[], double confidence);
+
 /// A histogram of equal bins from the 0.1 % to the 99.9 % quantile q, wider by a half-bin on each side: their width is
 /// (q_99.9 - q_0.1) / (bins - 1), and twice that distance for a single bin.
 ///
@@ -55,10 +64,69 @@ PDMC_API pdmc_estimate pdmc_statistics_proportion(size_t hits, size_t n, double 
 PDMC_API void pdmc_statistics_histogram(size_t n, const double sorted[], int bins, double confidence, double edges[],
                                         int64_t counts[], pdmc_estimate density[]);
 
+/// The bandwidth of a Gaussian kernel by Silverman's rule, 0.9 min(s, IQR / 1.34) n^(-1/5), with s alone where half of
+/// the sample is equal. A sample without spread has 1e-3 of its value (1 where that is 0).
+/// @param[in] n       number of samples, >= 1
+/// @param[in] sorted  [n] ascending, finite
+PDMC_API double pdmc_statistics_bandwidth(size_t n, const double sorted[]);
+
+/// The density f(x) = sum_i K((x - x_i) / h) / (n h) with the standard normal K, which integrates to 1.
+///
+/// Samples within h / 16 of each other count as so many of their mean, which changes the kernel's variance by less than
+/// 1 / 3000 of itself. For a quantity that is positive the kernel is reflected at 0; below 0 the density is 0.
+///
+/// The interval is pointwise and of the root, sqrt(f) -+ z sqrt(R / (4 n h)), R = 1 / (2 sqrt(pi)), and with the
+/// reflection (1 + exp(-(x / h)^2)) R: the asymptotic variance. It holds for the density smoothed by the kernel, not for
+/// the bias, about h^2 f'' / 2, which at Silverman's bandwidth is as large where f is most curved: a smaller bandwidth
+/// has less of it.
+/// @param[in]  n          number of samples, >= 1
+/// @param[in]  sorted     [n] ascending, finite
+/// @param[in]  bandwidth  h > 0, usually pdmc_statistics_bandwidth()
+/// @param[in]  positive   x >= 0, with a boundary at 0
+/// @param[in]  at         [points] where, in any order
+/// @param[out] density    [points] per unit of x
+/// @return PDMC_OK, PDMC_ERR_ARG or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_statistics_kernel_density(size_t n, const double sorted[], double bandwidth,
+                                                                   bool positive, double confidence, size_t points,
+                                                                   const double at[], pdmc_estimate density[]);
+
 /// The probability that sqrt(n) sup |F_n - F| passes `distance` for a continuous F and many samples, Kolmogorov's
 /// distribution: 2 sum_k (-1)^(k-1) exp(-2 k^2 distance^2), k = 1, 2, ... It is so too for two samples of n and m, with
 /// sqrt(n m / (n + m)) sup |F_n - G_m|, where they have the same distribution.
 PDMC_API double pdmc_statistics_kolmogorov(double distance);
+
+/// Mean and standard deviation of a design of independent replicates, sample i in replicate i % R, as pdmc/design.h has
+/// them; within a replicate the samples may depend on each other.
+///
+/// The mean's interval is Student's with R - 1 degrees of freedom, from the spread of the replicates' means. The
+/// deviation is sqrt(sum (x_i - m)^2 / n + var m), with var m from the same spread, so that its square has no bias
+/// whatever the design; its interval is Student's of its logarithm, from the replicates' means of (x_i - m)^2. Bounds are
+/// NaN with R < 2 or n < R; otherwise all as of pdmc_statistics_moments().
+/// @param[in] n           number of samples; a multiple of R but for a small rest
+/// @param[in] x           [n] finite, in the order of the samples
+/// @param[in] replicates  R
+PDMC_API void pdmc_statistics_replicates_moments(size_t n, const double x[], size_t replicates, double confidence,
+                                                 pdmc_estimate *mean, pdmc_estimate *deviation);
+
+/// The probability of an event from such a design: its share p in all samples, with Wilson's interval, |p - P| <=
+/// t sqrt(D P (1 - P) / n), t with R - 1 degrees of freedom. D is how much more the replicates' shares spread than those
+/// of independent samples. The interval is no narrower than what R trials leave open that all have the same outcome,
+/// p +- (1 - ((1 - confidence) / 2)^(1 / R)) R / n. Where fewer than 5 samples have the event, or fewer than 5 have it
+/// not, or R < 2, it is pdmc_statistics_proportion() of all samples, which for a design that beats independent samples
+/// is wider than need be.
+/// @param[in] n      number of samples; without any, NaN in [0, 1]
+/// @param[in] event  [n] in the order of the samples
+PDMC_API pdmc_estimate pdmc_statistics_replicates_proportion(size_t n, const bool event[], size_t replicates,
+                                                             double confidence);
+
+/// The quantile at p from such a design, x_(k) of all samples with k = ceil(n p). The interval is Woodruff's (1952), the
+/// order statistics at p +- h, with h = t sqrt(D p (1 - p) / n) and D and the least h as above, of the event x <= x_(k).
+/// Where fewer than 5 samples are expected or found on one side, it is that of pdmc_statistics_quantile().
+/// @param[in] n       number of samples, >= 1
+/// @param[in] x       [n] in the order of the samples
+/// @param[in] sorted  [n] the same, ascending
+PDMC_API pdmc_estimate pdmc_statistics_replicates_quantile(size_t n, const double x[], const double sorted[],
+                                                           size_t replicates, double p, double confidence);
 
 /// How far two distributions are apart, by two norms of the difference of their distribution functions.
 typedef struct {
@@ -109,3 +177,24 @@ typedef struct {
 /// @return PDMC_OK or PDMC_ERR_NOMEM
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_statistics_pairs(size_t n, const double x[], const double y[],
                                                           double confidence, pdmc_pairs *pairs);
+
+/// A mean found with control variates.
+typedef struct {
+    pdmc_estimate mean;
+    double reduction; // variance of the plain mean over that of this one: how many times the samples it is worth
+    size_t controls;  // how many were used
+} pdmc_controlled;
+
+/// The mean of x from its linear regression on controls c of known mean mu: that of x - b'(c - mu), b by least squares.
+///
+/// The interval is the regression's, Student's with n - 1 - controls degrees of freedom: exact where x given c is normal
+/// and linear in c, else for many samples (Lavenberg & Welch 1981). For many samples the reduction is 1 / (1 - R^2).
+/// Controls without spread, and combinations of controls that are linear in others, are left out.
+/// @param[in] n         number of samples, from controls + 2 to INT_MAX
+/// @param[in] x         [n] finite
+/// @param[in] c         [n, controls] finite
+/// @param[in] mean      [controls] of the controls, exact
+/// @return PDMC_OK, PDMC_ERR_ARG, PDMC_ERR_NOMEM or PDMC_ERR_EXTERN
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_statistics_control(size_t n, const double x[], size_t controls,
+                                                            const double c[], const double mean[], double confidence,
+                                                            pdmc_controlled *controlled);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pdmc/statistics.h"
+#include "statistics/histogram.h"
 
 #include <float.h>
 #include <math.h>
@@ -25,10 +25,16 @@ static void count_bins(size_t n, const double sorted[], int bins, const double e
     counts[bins + 1] = (int64_t)(n - i);
 }
 
-static pdmc_estimate bin_density(int64_t count, size_t n, double width, double confidence)
+pdmc_estimate pdmc_statistics_bin_density(int64_t count, size_t n, double width, double confidence)
 {
     const pdmc_estimate p = pdmc_statistics_proportion((size_t)count, n, confidence);
     return (pdmc_estimate){p.value / width, p.lower / width, p.upper / width};
+}
+
+void pdmc_statistics_histogram_edges(double low, double high, int bins, double edges[])
+{
+    const double width = bin_width(low, high, bins), middle = low + 0.5 * (high - low);
+    for (int b = 0; b <= bins; b++) edges[b] = middle + (b - 0.5 * bins) * width;
 }
 
 void pdmc_statistics_histogram(size_t n, const double sorted[], int bins, double confidence, double edges[],
@@ -37,8 +43,7 @@ void pdmc_statistics_histogram(size_t n, const double sorted[], int bins, double
     const double low = pdmc_statistics_quantile(n, sorted, 0.001, confidence).value;
     const double high = pdmc_statistics_quantile(n, sorted, 0.999, confidence).value;
     const double width = bin_width(low, high, bins);
-    const double middle = low + 0.5 * (high - low);
-    for (int b = 0; b <= bins; b++) edges[b] = middle + (b - 0.5 * bins) * width;
+    pdmc_statistics_histogram_edges(low, high, bins, edges);
     count_bins(n, sorted, bins, edges, counts);
-    for (int b = 0; b < bins; b++) density[b] = bin_density(counts[b + 1], n, width, confidence);
+    for (int b = 0; b < bins; b++) density[b] = pdmc_statistics_bin_density(counts[b + 1], n, width, confidence);
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "statistics/quantile.h"
+
 #include "pdmc/statistics.h"
 
 #include <float.h>
@@ -44,13 +46,19 @@ static size_t outermost(size_t n, double p, double tail, chance_fn *chance, size
     return far;
 }
 
-pdmc_estimate pdmc_statistics_quantile(size_t n, const double sorted[], double p, double confidence)
+pdmc_quantile_ranks pdmc_statistics_quantile_ranks(size_t n, double p, double confidence)
 {
     const double tail = 0.5 * (1.0 - confidence);
     const size_t k = rank_of(n, p);
-    const size_t lower = outermost(n, p, tail, chance_above, k + 1, 0);
-    const size_t upper = outermost(n, p, tail, chance_below, k - 1, n + 1);
-    return (pdmc_estimate){.value = sorted[k - 1],
-                           .lower = lower > 0 ? sorted[lower - 1] : -INFINITY,
-                           .upper = upper <= n ? sorted[upper - 1] : INFINITY};
+    return (pdmc_quantile_ranks){.value = k,
+                                 .lower = outermost(n, p, tail, chance_above, k + 1, 0),
+                                 .upper = outermost(n, p, tail, chance_below, k - 1, n + 1)};
+}
+
+pdmc_estimate pdmc_statistics_quantile(size_t n, const double sorted[], double p, double confidence)
+{
+    const pdmc_quantile_ranks rank = pdmc_statistics_quantile_ranks(n, p, confidence);
+    return (pdmc_estimate){.value = sorted[rank.value - 1],
+                           .lower = rank.lower > 0 ? sorted[rank.lower - 1] : -INFINITY,
+                           .upper = rank.upper <= n ? sorted[rank.upper - 1] : INFINITY};
 }
