@@ -71,7 +71,7 @@ void pdmc_average_report(const pdmc_average *events, const pdmc_average *possibl
     result->probability.upper = fmin(1.0, pdmc_average_interval(possible, confidence).upper);
     result->variation = pdmc_average_variation(events);
     result->effective_samples = pdmc_average_effective(events);
-    result->largest_share = events->largest / events->sum;
+    result->largest_share = events->largest * events->largest / events->squares;
     if (events->positive == 0) result->probability.value = NAN;
     if (possible->positive == 0) result->probability.upper = 1.0;
 }

@@ -7,7 +7,8 @@
 #include <gsl/gsl_cdf.h>
 #include <math.h>
 
-static const double few = 10.0; // effective samples below which their own variance is not believed
+static const double few = 10.0;           // effective samples below which their own variance is not believed
+static const double heaviest_share = 0.05; // of one sample in the sum of squares, above which the variance is not known
 
 typedef struct {
     const pdmc_limit_state *limit;
@@ -76,6 +77,16 @@ static double most_probable(const sampling *s, double share)
     return most;
 }
 
+static double heaviest(const pdmc_average *average)
+{
+    return average->largest * average->largest / average->squares;
+}
+
+static bool settled(const sampling *s)
+{
+    return pdmc_average_variation(&s->events) <= s->options->variation && heaviest(&s->events) <= heaviest_share;
+}
+
 static void report(const sampling *s, pdmc_reliability *result)
 {
     const double confidence = s->options->confidence;
@@ -88,7 +99,7 @@ static void report(const sampling *s, pdmc_reliability *result)
         result->probability.upper = most_probable(s, share);
     }
     result->index = pdmc_reliability_index(result->probability);
-    result->converged = result->variation <= s->options->variation;
+    result->converged = settled(s);
 }
 
 static pdmc_status check(const pdmc_limit_state *limit, int centres, const pdmc_importance_options *o)
@@ -114,8 +125,7 @@ pdmc_status pdmc_importance_sampling(const pdmc_limit_state *limit, int centres,
     PDMC_NEW(s.g, options->batch);
     for (int j = 0; j < centres; j++) s.half_square[j] = 0.5 * cblas_ddot(n, &centre[j * n], 1, &centre[j * n], 1);
     do PDMC_TRY(take_batch(&s));
-    while (!(pdmc_average_variation(&s.events) <= options->variation) &&
-           s.taken + options->batch <= options->most_evaluations);
+    while (!settled(&s) && s.taken + options->batch <= options->most_evaluations);
     report(&s, result);
 
 done:
