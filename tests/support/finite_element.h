@@ -57,7 +57,7 @@ double finite_element_energy_release_rate(const finite_element_solution *solutio
 
 /// K_I and K_II by the interaction integral over the same square with the tip's homogeneous field as second field: its
 /// stresses, and the strains that these cause in M(x). Those have no displacements; what is missing is
-/// int (1 - M_tip / M) sigma : d(epsilon_2) / dx q dA with the homogeneous strains, so that M is not differentiated.
+/// int (1 - M_tip / M) sigma : epsilon_2,1 q dA with the homogeneous strains, so that M is not differentiated.
 /// J. E. Dolbow, M. Gosz: International Journal of Solids and Structures 39 (2002) 2557-2574.
 /// @param[out] K  [mode] of the tip's frame
 void finite_element_stress_intensity(const finite_element_solution *solution, int tip, double radius, double K[2]);
