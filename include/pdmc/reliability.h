@@ -27,10 +27,10 @@ typedef struct {
     double tolerance;    // of the point, in units of z
     int most_iterations; // steps of the search
     const double *start; // [dimension] where the search begins; NULL: the origin
-} pdmc_design_options;
+} pdmc_first_order_options;
 
 /// difference 0.05, tolerance 1e-4, 50 iterations, from the origin.
-PDMC_API pdmc_design_options pdmc_design_options_default(void);
+PDMC_API pdmc_first_order_options pdmc_first_order_options_default(void);
 
 /// The point of g(z) = 0 nearest the origin, and what a plane through it gives (first-order reliability method).
 typedef struct {
@@ -42,20 +42,20 @@ typedef struct {
     double residual;    // |g| / |grad g| at z, the surface's distance to first order; NaN without a gradient
     long evaluations;
     bool converged; // residual and the part of z beside alpha are within the tolerance
-} pdmc_design_point;
+} pdmc_first_order;
 
 /// The improved HL-RF iteration: z moves along d = ((grad g . z - g) / |grad g|^2) grad g - z by the largest lambda = 1, 1/2,
 /// 1/4, ... that reduces |z|^2 / 2 + c |g| enough (Zhang & Der Kiureghian 1995). All points of a gradient are evaluated at
 /// once, as are all lambda. Points with NaN are stepped over; where the gradient vanishes at the start, the search begins at
 /// the best point of the axes. It finds one point: others are found from other starts.
-/// @param[out] point  free with pdmc_design_point_clear(), whatever is returned
+/// @param[out] point  free with pdmc_first_order_clear(), whatever is returned
 /// @return PDMC_OK also where there is no such point (not converged), PDMC_ERR_ARG, PDMC_ERR_NOMEM, or what g gives
-PDMC_API PDMC_NODISCARD pdmc_status pdmc_design_point_find(const pdmc_limit_state *limit,
-                                                           const pdmc_design_options *options,
-                                                           pdmc_design_point *point);
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_first_order_find(const pdmc_limit_state *limit,
+                                                          const pdmc_first_order_options *options,
+                                                          pdmc_first_order *point);
 
 /// NULL inside is allowed.
-PDMC_API void pdmc_design_point_clear(pdmc_design_point *point);
+PDMC_API void pdmc_first_order_clear(pdmc_first_order *point);
 
 typedef struct {
     uint64_t seed;

@@ -15,7 +15,7 @@ enum { REACHES = sizeof reach / sizeof reach[0] };
 
 typedef struct {
     const pdmc_limit_state *limit;
-    const pdmc_design_options *options;
+    const pdmc_first_order_options *options;
     int n;
     double *z, *gradient, *step; // [n]
     double g, slope;             // at z; |gradient|
@@ -23,9 +23,9 @@ typedef struct {
     long evaluations;
 } search;
 
-pdmc_design_options pdmc_design_options_default(void)
+pdmc_first_order_options pdmc_first_order_options_default(void)
 {
-    return (pdmc_design_options){.difference = 0.05, .tolerance = 1e-4, .most_iterations = 50, .start = NULL};
+    return (pdmc_first_order_options){.difference = 0.05, .tolerance = 1e-4, .most_iterations = 50, .start = NULL};
 }
 
 static pdmc_status evaluate(search *s, int count)
@@ -156,7 +156,7 @@ static pdmc_status iterate(search *s, bool *converged)
     return status;
 }
 
-static pdmc_status search_make(const pdmc_limit_state *limit, const pdmc_design_options *options, search *s)
+static pdmc_status search_make(const pdmc_limit_state *limit, const pdmc_first_order_options *options, search *s)
 {
     pdmc_status status = PDMC_OK;
     const int n = limit->dimension, rows = 2 * REACHES * n + SHORTER_STEPS; // more than any batch
@@ -182,7 +182,7 @@ static void search_clear(search *s)
 }
 
 /// The origin's side is the side of g there: the gradient points to the event, and so does z from an origin outside.
-static void report(const search *s, bool converged, pdmc_design_point *point)
+static void report(const search *s, bool converged, pdmc_first_order *point)
 {
     point->converged = converged;
     point->evaluations = s->evaluations;
@@ -196,13 +196,13 @@ static void report(const search *s, bool converged, pdmc_design_point *point)
     for (int i = 0; i < s->n; i++) point->importance[i] = pow(s->gradient[i] / s->slope, 2.0);
 }
 
-pdmc_status pdmc_design_point_find(const pdmc_limit_state *limit, const pdmc_design_options *options,
-                                   pdmc_design_point *point)
+pdmc_status pdmc_first_order_find(const pdmc_limit_state *limit, const pdmc_first_order_options *options,
+                                  pdmc_first_order *point)
 {
     pdmc_status status = PDMC_OK;
     search s = {0};
     bool converged;
-    *point = (pdmc_design_point){.dimension = limit->dimension};
+    *point = (pdmc_first_order){.dimension = limit->dimension};
     PDMC_REQUIRE(limit->dimension >= 1, "dimension = %d is not positive", limit->dimension);
     PDMC_REQUIRE(options->difference > 0.0, "difference = %g is not positive", options->difference);
     PDMC_REQUIRE(options->tolerance > 0.0, "tolerance = %g is not positive", options->tolerance);
@@ -217,9 +217,9 @@ done:
     return status;
 }
 
-void pdmc_design_point_clear(pdmc_design_point *point)
+void pdmc_first_order_clear(pdmc_first_order *point)
 {
     pdmc_free(point->z);
     pdmc_free(point->importance);
-    *point = (pdmc_design_point){0};
+    *point = (pdmc_first_order){0};
 }

@@ -7,7 +7,7 @@
 #include <gsl/gsl_cdf.h>
 #include <math.h>
 
-static const double few = 10.0;           // effective samples below which their own variance is not believed
+static const double few = 10.0;            // effective samples below which their own variance is not believed
 static const double heaviest_share = 0.05; // of one sample in the sum of squares, above which the variance is not known
 
 typedef struct {

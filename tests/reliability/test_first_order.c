@@ -6,13 +6,13 @@
 static const double betas[] = {2.33, 3.72, 4.75};
 static const int dimensions[] = {2, 10, 60};
 
-static pdmc_design_point find(known_state *state, const double *start)
+static pdmc_first_order find(known_state *state, const double *start)
 {
     const pdmc_limit_state limit = as_limit_state(state);
-    pdmc_design_options options = pdmc_design_options_default();
-    pdmc_design_point point;
+    pdmc_first_order_options options = pdmc_first_order_options_default();
+    pdmc_first_order point;
     options.start = start;
-    CHECK_OK(pdmc_design_point_find(&limit, &options, &point));
+    CHECK_OK(pdmc_first_order_find(&limit, &options, &point));
     assert_int_equal(point.evaluations, state->evaluations);
     return point;
 }
@@ -25,7 +25,7 @@ static void a_plane_is_found_at_once(void **state)
         const int n = dimensions[k / 3];
         const double beta = betas[k % 3], squares = n * (n + 1.0) * (2.0 * n + 1.0) / 6.0;
         known_state plane_state = {.dimension = n, .g = plane, .parameter = {beta}};
-        pdmc_design_point point = find(&plane_state, NULL);
+        pdmc_first_order point = find(&plane_state, NULL);
         assert_true(point.converged);
         CHECK_NEAR(point.index, beta, 1e-10);
         CHECK_NEAR(point.probability, gsl_cdf_ugaussian_Q(beta), 1e-9 * gsl_cdf_ugaussian_Q(beta) * beta);
@@ -35,7 +35,7 @@ static void a_plane_is_found_at_once(void **state)
             CHECK_NEAR(point.z[i], beta * (i + 1.0) / sqrt(squares), 1e-10);
         }
         assert_true(point.evaluations <= 2 * (2 * n + 1) + 12);
-        pdmc_design_point_clear(&point);
+        pdmc_first_order_clear(&point);
     }
 }
 
@@ -43,10 +43,10 @@ static void the_index_is_negative_where_the_origin_is_in_the_event(void **state)
 {
     (void)state;
     known_state inside = {.dimension = 3, .g = plane, .parameter = {-1.5}};
-    pdmc_design_point point = find(&inside, NULL);
+    pdmc_first_order point = find(&inside, NULL);
     CHECK_NEAR(point.index, -1.5, 1e-10);
     CHECK_NEAR(point.probability, gsl_cdf_ugaussian_P(1.5), 1e-10);
-    pdmc_design_point_clear(&point);
+    pdmc_first_order_clear(&point);
 }
 
 /// The surface is a plane in z, though g is not linear: 2 s_L z_1 - s_c z_2 = log of the medians' ratio.
@@ -56,13 +56,13 @@ static void griffith_has_its_closed_form(void **state)
     static const double probabilities[] = {1e-2, 1e-4, 1e-6};
     for (int k = 0; k < 3; k++) {
         known_state lognormal = griffith_at(probabilities[k]);
-        pdmc_design_point point = find(&lognormal, NULL);
+        pdmc_first_order point = find(&lognormal, NULL);
         assert_true(point.converged);
         CHECK_NEAR(point.index, gsl_cdf_ugaussian_Qinv(probabilities[k]), 1e-4); // the tolerance of the search
         // Central differences of exp(0.2 z) and exp(0.15 z) are off by h^2 s^2 / 6 < 2e-5 of themselves, the normal's
         // direction by as much, and it is within the tolerance / beta < 5e-5 of the surface's.
         CHECK_NEAR(point.importance[0], 0.04 / 0.0625, 1e-4);
-        pdmc_design_point_clear(&point);
+        pdmc_first_order_clear(&point);
     }
 }
 
@@ -76,10 +76,10 @@ static void curved_surfaces(void **state)
     known_state sphere = {.dimension = 5, .g = outside_sphere, .parameter = {4.0}};
     known_state *states[] = {&away, &towards, &sphere};
     for (int k = 0; k < 3; k++) {
-        pdmc_design_point point = find(states[k], NULL);
+        pdmc_first_order point = find(states[k], NULL);
         assert_true(point.converged);
         CHECK_NEAR(point.index, states[k]->parameter[0], 1e-4);
-        pdmc_design_point_clear(&point);
+        pdmc_first_order_clear(&point);
     }
 }
 
@@ -99,10 +99,10 @@ static void a_surface_without_symmetry(void **state)
         nearest = fmin(nearest, sqrt(x * x + y * y));
     }
     known_state skew = {.dimension = 2, .g = skew_surface, .parameter = {3.0}};
-    pdmc_design_point point = find(&skew, NULL);
+    pdmc_first_order point = find(&skew, NULL);
     assert_true(point.converged);
     CHECK_NEAR(point.index, nearest, 1e-4);
-    pdmc_design_point_clear(&point);
+    pdmc_first_order_clear(&point);
 }
 
 /// An error of g of 1e-6 turns the normal by less than 1e-6 sqrt(n) / h, and the point with it.
@@ -110,10 +110,10 @@ static void a_little_noise_does_no_harm(void **state)
 {
     (void)state;
     known_state noisy = {.dimension = 10, .g = plane, .parameter = {3.72}, .noise = 1e-6};
-    pdmc_design_point point = find(&noisy, NULL);
+    pdmc_first_order point = find(&noisy, NULL);
     assert_true(point.converged);
     CHECK_NEAR(point.index, 3.72, 1e-4);
-    pdmc_design_point_clear(&point);
+    pdmc_first_order_clear(&point);
 }
 
 /// Like the plane, and NaN in a ball on the way there and in a half-space far from it.
@@ -129,10 +129,10 @@ static void unsolved_points_are_stepped_over(void **state)
 {
     (void)state;
     known_state holes = {.dimension = 3, .g = plane_with_holes, .parameter = {3.0}};
-    pdmc_design_point point = find(&holes, NULL);
+    pdmc_first_order point = find(&holes, NULL);
     assert_true(point.converged);
     CHECK_NEAR(point.index, 3.0, 1e-8);
-    pdmc_design_point_clear(&point);
+    pdmc_first_order_clear(&point);
 }
 
 static double flat(const double parameter[], int n, const double z[])
@@ -156,11 +156,11 @@ static void what_cannot_be_reached_is_not_converged(void **state)
                             {.dimension = 4, .g = never, .parameter = {2.0}},
                             {.dimension = 4, .g = outside_sphere, .parameter = {NAN}}};
     for (int k = 0; k < 4; k++) {
-        pdmc_design_point point = find(&states[k], NULL);
+        pdmc_first_order point = find(&states[k], NULL);
         assert_false(point.converged);
         assert_true(isnan(point.index) && isnan(point.probability) && isnan(point.importance[0]));
         assert_true(isfinite(point.z[0]));
-        pdmc_design_point_clear(&point);
+        pdmc_first_order_clear(&point);
     }
 }
 
@@ -171,10 +171,10 @@ static void other_points_are_found_from_other_starts(void **state)
     for (int side = -1; side <= 1; side += 2) {
         const double start[] = {0.5 * side, 0.2, 0.0};
         known_state two = {.dimension = 3, .g = two_planes, .parameter = {3.0}};
-        pdmc_design_point point = find(&two, start);
+        pdmc_first_order point = find(&two, start);
         CHECK_NEAR(point.z[0], 3.0 * side, 1e-8);
         CHECK_NEAR(point.index, 3.0, 1e-8);
-        pdmc_design_point_clear(&point);
+        pdmc_first_order_clear(&point);
     }
 }
 
@@ -182,16 +182,16 @@ static void points_do_not_depend_on_how_g_is_evaluated(void **state)
 {
     (void)state;
     known_state lognormal = griffith_at(1e-4);
-    pdmc_design_point want = find(&lognormal, NULL);
+    pdmc_first_order want = find(&lognormal, NULL);
     for (int k = ONE_BY_ONE; k <= IN_THREADS; k++) {
         known_state again = griffith_at(1e-4);
         again.manner = (manner)k;
-        pdmc_design_point got = find(&again, NULL);
+        pdmc_first_order got = find(&again, NULL);
         assert_memory_equal(got.z, want.z, 2 * sizeof(double));
         assert_true(got.index == want.index && got.evaluations == want.evaluations);
-        pdmc_design_point_clear(&got);
+        pdmc_first_order_clear(&got);
     }
-    pdmc_design_point_clear(&want);
+    pdmc_first_order_clear(&want);
 }
 
 static pdmc_status broken(void *context, int count, const double z[], double g[])
@@ -203,11 +203,11 @@ static pdmc_status broken(void *context, int count, const double z[], double g[]
     return pdmc_raise(PDMC_ERR_SINGULAR, "broken");
 }
 
-static pdmc_status find_and_clear_on_failure(const pdmc_limit_state *limit, pdmc_design_point *point)
+static pdmc_status find_and_clear_on_failure(const pdmc_limit_state *limit, pdmc_first_order *point)
 {
-    const pdmc_design_options options = pdmc_design_options_default();
-    const pdmc_status status = pdmc_design_point_find(limit, &options, point);
-    if (status != PDMC_OK) pdmc_design_point_clear(point);
+    const pdmc_first_order_options options = pdmc_first_order_options_default();
+    const pdmc_status status = pdmc_first_order_find(limit, &options, point);
+    if (status != PDMC_OK) pdmc_first_order_clear(point);
     return status;
 }
 
@@ -216,8 +216,8 @@ static void errors_are_reported(void **state)
     (void)state;
     known_state lognormal = griffith_at(1e-4);
     pdmc_limit_state limit = as_limit_state(&lognormal);
-    pdmc_design_point point;
-    CHECK_FAILS_CLEANLY(find_and_clear_on_failure(&limit, &point), pdmc_design_point_clear(&point));
+    pdmc_first_order point;
+    CHECK_FAILS_CLEANLY(find_and_clear_on_failure(&limit, &point), pdmc_first_order_clear(&point));
     limit.evaluate = broken;
     CHECK_STATUS(find_and_clear_on_failure(&limit, &point), PDMC_ERR_SINGULAR);
     limit.dimension = 0;

@@ -17,12 +17,12 @@ static pdmc_reliability about(known_state *state, int centres, const double cent
 static pdmc_reliability about_design_point(known_state *state, const pdmc_importance_options *options)
 {
     const pdmc_limit_state limit = as_limit_state(state);
-    const pdmc_design_options search = pdmc_design_options_default();
-    pdmc_design_point point;
-    CHECK_OK(pdmc_design_point_find(&limit, &search, &point));
+    const pdmc_first_order_options search = pdmc_first_order_options_default();
+    pdmc_first_order point;
+    CHECK_OK(pdmc_first_order_find(&limit, &search, &point));
     assert_true(point.converged);
     const pdmc_reliability result = about(state, 1, point.z, options);
-    pdmc_design_point_clear(&point);
+    pdmc_first_order_clear(&point);
     return result;
 }
 
