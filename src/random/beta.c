@@ -70,11 +70,14 @@ static void beta_moments(const pdmc_distribution *distribution, double *mean, do
 
 static const double least_exponent = 0.1, greatest_exponent = 1e4;
 
+static bool is_exponent(double value)
+{
+    return least_exponent <= value && value <= greatest_exponent;
+}
+
 static pdmc_status beta_check(const pdmc_distribution *distribution)
 {
-    const double least = fmin(distribution->alpha, distribution->beta);
-    const double greatest = fmax(distribution->alpha, distribution->beta);
-    PDMC_REQUIRE(least_exponent <= least && greatest <= greatest_exponent && isfinite(least + greatest),
+    PDMC_REQUIRE(is_exponent(distribution->alpha) && is_exponent(distribution->beta),
                  "alpha = %g and beta = %g of a beta distribution must be in [%g, %g]", distribution->alpha,
                  distribution->beta, least_exponent, greatest_exponent);
     return PDMC_OK;
