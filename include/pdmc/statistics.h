@@ -75,8 +75,9 @@ PDMC_API double pdmc_statistics_bandwidth(size_t n, const double sorted[]);
 /// Samples within h / 16 of each other count as so many of their mean, which changes the kernel's variance by less than
 /// 1 / 3000 of itself. For a quantity that is positive the kernel is reflected at 0; below 0 the density is 0.
 ///
-/// The interval is pointwise and of the root, sqrt(f) -+ z sqrt(R / (4 n h)), R = 1 / (2 sqrt(pi)), and with the
-/// reflection (1 + exp(-(x / h)^2)) R: the asymptotic variance. It holds for the density smoothed by the kernel, not for
+/// The interval is pointwise: the variance of f(x) is about f (R / h - f) / n, R = 1 / (2 sqrt(pi)), with the reflection
+/// (1 + exp(-(x / h)^2)) R, and the interval is that of the root of f, whose lower bound is not below 0. It holds for the
+/// density smoothed by the kernel, not for
 /// the bias, about h^2 f'' / 2, which at Silverman's bandwidth is as large where f is most curved: a smaller bandwidth
 /// has less of it.
 /// @param[in]  n          number of samples, >= 1
@@ -98,10 +99,11 @@ PDMC_API double pdmc_statistics_kolmogorov(double distance);
 /// Mean and standard deviation of a design of independent replicates, sample i in replicate i % R, as pdmc/design.h has
 /// them; within a replicate the samples may depend on each other.
 ///
-/// The mean's interval is Student's with R - 1 degrees of freedom, from the spread of the replicates' means. The
-/// deviation is sqrt(sum (x_i - m)^2 / n + var m), with var m from the same spread, so that its square has no bias
-/// whatever the design; its interval is Student's of its logarithm, from the replicates' means of (x_i - m)^2. Bounds are
-/// NaN with R < 2 or n < R; otherwise all as of pdmc_statistics_moments().
+/// The mean's interval comes from the R means of the replicates and reaches, on each side, to the farther of Student's
+/// bound and Hall's (1992), which corrects Student's for their skewness. The deviation is sqrt(sum (x_i - m)^2 / n +
+/// var m), with var m from the spread of the means, so that its square has no bias whatever the design; its interval is
+/// the same of the mean of (x_i - m)^2, by way of its logarithm. Bounds are NaN with R < 2 or n < R; a sample without
+/// spread has intervals of no width.
 /// @param[in] n           number of samples; a multiple of R but for a small rest
 /// @param[in] x           [n] finite, in the order of the samples
 /// @param[in] replicates  R
@@ -109,19 +111,19 @@ PDMC_API void pdmc_statistics_replicates_moments(size_t n, const double x[], siz
                                                  pdmc_estimate *mean, pdmc_estimate *deviation);
 
 /// The probability of an event from such a design: its share p in all samples, with Wilson's interval, |p - P| <=
-/// t sqrt(D P (1 - P) / n), t with R - 1 degrees of freedom. D is how much more the replicates' shares spread than those
-/// of independent samples. The interval is no narrower than what R trials leave open that all have the same outcome,
-/// p +- (1 - ((1 - confidence) / 2)^(1 / R)) R / n. Where fewer than 5 samples have the event, or fewer than 5 have it
-/// not, or R < 2, it is pdmc_statistics_proportion() of all samples, which for a design that beats independent samples
-/// is wider than need be.
+/// t sqrt(D P (1 - P) / n), t with R - 1 degrees of freedom. D is how much more the replicates' shares spread than
+/// those of independent samples. The interval is no narrower than what R trials leave open that all have the same
+/// outcome, p +- (1 - ((1 - confidence) / 2)^(1 / R)) R / n. Where fewer than 5 samples have the event, or fewer than 5
+/// have it not, or R < 2, it is pdmc_statistics_proportion() of all samples, which for a design that beats independent
+/// samples is wider than need be.
 /// @param[in] n      number of samples; without any, NaN in [0, 1]
 /// @param[in] event  [n] in the order of the samples
 PDMC_API pdmc_estimate pdmc_statistics_replicates_proportion(size_t n, const bool event[], size_t replicates,
                                                              double confidence);
 
-/// The quantile at p from such a design, x_(k) of all samples with k = ceil(n p). The interval is Woodruff's (1952), the
-/// order statistics at p +- h, with h = t sqrt(D p (1 - p) / n) and D and the least h as above, of the event x <= x_(k).
-/// Where fewer than 5 samples are expected or found on one side, it is that of pdmc_statistics_quantile().
+/// The quantile at p from such a design, x_(k) of all samples with k = ceil(n p). The interval is Woodruff's (1952),
+/// between the order statistics at p +- h, h = t sqrt(D p (1 - p) / n), with D and the least h as above, of the event
+/// x <= x_(k). Where fewer than 5 samples are expected or found on one side, it is that of pdmc_statistics_quantile().
 /// @param[in] n       number of samples, >= 1
 /// @param[in] x       [n] in the order of the samples
 /// @param[in] sorted  [n] the same, ascending

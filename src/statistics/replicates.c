@@ -141,7 +141,7 @@ static double relative_variance(const plan *p, term_fn *event, const void *data,
     return gsl_pow_2(student(p)) * spread_of(p, event, data, share).variance / (share * (1.0 - share));
 }
 
-/// Replicates that all count the same number of events still do not know its mean from one that differs by what R trials
+/// Replicates that all count the same number of events do not know its mean from one that differs by what R trials
 /// without a hit leave possible.
 static double least_half_width(const plan *p)
 {
