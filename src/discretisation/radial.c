@@ -5,7 +5,7 @@
 
 #include <cblas.h>
 
-void pdmc_legendre(int count, double s, double value[])
+void pdmc_radial_legendre(int count, double s, double value[])
 {
     value[0] = 1.0;
     if (count > 1) value[1] = s;
@@ -23,8 +23,8 @@ pdmc_status pdmc_radial_weights(pdmc_affine *model)
     PDMC_NEW(upper, terms + 1);
     for (int b = 0; b < bins; b++) {
         const double from = (double)b / bins, to = (double)(b + 1) / bins;
-        pdmc_legendre(terms + 1, 2.0 * from - 1.0, lower);
-        pdmc_legendre(terms + 1, 2.0 * to - 1.0, upper);
+        pdmc_radial_legendre(terms + 1, 2.0 * from - 1.0, lower);
+        pdmc_radial_legendre(terms + 1, 2.0 * to - 1.0, upper);
         for (int p = 0; p < terms; p++) { // (2 p + 1) int P_p = P_(p + 1) - P_(p - 1)
             const double below = p > 0 ? upper[p - 1] - lower[p - 1] : 0.0;
             model->term_weight[b * terms + p] = 0.5 * (upper[p + 1] - lower[p + 1] - below);

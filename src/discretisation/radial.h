@@ -7,7 +7,7 @@
 #include "pdmc/affine.h"
 
 /// P_0(s) .. P_(count - 1)(s), count >= 1.
-void pdmc_legendre(int count, double s, double value[]);
+void pdmc_radial_legendre(int count, double s, double value[]);
 
 /// Makes the model's term_weight, the Legendre coefficients xi_p = (2 p + 1) / 2 int_-1^1 eta P_p ds of the bins, and
 /// its modulus_weight, E_eff = (pi / 3) int c r^2 dr. Needs model->bins and terms.

@@ -51,7 +51,7 @@ static void fill_weights(const pdmc_paper *paper, workspace *work)
         const pdmc_paper_bond *bond = &work->disc.bond[b];
         const double *e = bond->direction, tensor[3] = {e[0] * e[0], e[0] * e[1], e[1] * e[1]};
         double polynomial[PDMC_PAPER_TERMS];
-        pdmc_legendre(paper->terms, 2.0 * bond->length / horizon - 1.0, polynomial);
+        pdmc_radial_legendre(paper->terms, 2.0 * bond->length / horizon - 1.0, polynomial);
         for (int p = 0; p < paper->terms; p++)
             for (int k = 0; k < 3; k++)
                 work->weight[(3 * p + k) * bonds + b] = c * bond->weight * polynomial[p] * tensor[k];

@@ -78,7 +78,7 @@ static void add_point(void *context, const pdmc_disc_point *point)
     double factor[PDMC_VISIBLE_DEGREE + 2], f[3 * (PDMC_VISIBLE_DEGREE + 2)], weight[PDMC_STENCIL_NODES];
     const double c = point->cosine, s = point->sine;
     factor[0] = 1.0;
-    if (sum->planes > 1) pdmc_legendre(sum->planes - 1, 2.0 * point->r / sum->rule.radius - 1.0, factor + 1);
+    if (sum->planes > 1) pdmc_radial_legendre(sum->planes - 1, 2.0 * point->r / sum->rule.radius - 1.0, factor + 1);
     for (int p = 0; p < sum->planes; p++) {
         f[3 * p] = point->weight * factor[p] * c * c;
         f[3 * p + 1] = point->weight * factor[p] * c * s;
