@@ -190,6 +190,7 @@ static void intervals_cover_as_often_as_they_say(void **state)
     const known_state lognormal = griffith_at(1e-4);
     check_coverage(&lognormal, 1.0, 1000); // one batch of 20 runs
     check_coverage(&linear, 1.0, 300);
+    check_coverage(&lognormal, 0.1, 300); // three batches or so, until 10 % is met
 }
 
 static void results_do_not_depend_on_how_g_is_evaluated(void **state)
