@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "statistics/hall.h"
+
 #include "pdmc/statistics.h"
 
 #include <gsl/gsl_cdf.h>
@@ -12,13 +14,6 @@ static double skewness_of(size_t n, const double x[], double mean, double deviat
         cubes += z * z * z;
     }
     return cubes / (double)n;
-}
-
-/// The T of which Hall's T + a T^2 / 3 + a^2 T^3 / 27 + a / 6 = (3 / a) ((1 + a T / 3)^3 - 1) / 3 + a / 6 is y.
-static double untransformed(double a, double y)
-{
-    const double root = cbrt(1.0 + a * (y - a / 6.0));
-    return 3.0 * (y - a / 6.0) / (root * root + root + 1.0); // (3 / a) (root - 1), for a = 0 too
 }
 
 /// No more than the probability of a value above 0 is the mean.
@@ -36,7 +31,7 @@ pdmc_estimate pdmc_statistics_bounded_mean(size_t n, const double x[], double co
     const double root_n = sqrt((double)n), error = deviation.value / root_n;
     const double t = gsl_cdf_tdist_Qinv(0.5 * (1.0 - confidence), (double)(n - 1));
     const double a = skewness_of(n, x, mean.value, deviation.value) / root_n;
-    mean.lower = fmin(fmax(mean.value - error * untransformed(a, t), 0.0), mean.value);
-    mean.upper = fmax(fmin(mean.value - error * untransformed(a, -t), 1.0), mean.value);
+    mean.lower = fmin(fmax(mean.value - error * pdmc_hall_inverse(a, t), 0.0), mean.value);
+    mean.upper = fmax(fmin(mean.value - error * pdmc_hall_inverse(a, -t), 1.0), mean.value);
     return mean;
 }

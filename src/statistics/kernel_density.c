@@ -76,14 +76,15 @@ pdmc_status pdmc_statistics_kernel_density(size_t n, const double sorted[], doub
     PDMC_NEW(group, n);
     const size_t groups = gather(n, sorted, group_width * bandwidth, group);
     const double z = gsl_cdf_ugaussian_Qinv(0.5 * (1.0 - confidence));
-    const double variance = 0.5 / sqrt(M_PI) / ((double)n * bandwidth); // of the estimate, per density
+    const double roughness = 0.5 / sqrt(M_PI) / bandwidth; // the integral of the kernel's square
     for (size_t k = 0; k < points; k++) {
         density[k] = (pdmc_estimate){0.0, 0.0, 0.0};
         if (positive && at[k] < 0.0) continue;
         const double image = positive ? smoothed(groups, group, bandwidth, -at[k]) : 0.0;
         const double both = positive ? 1.0 + exp(-gsl_pow_2(at[k] / bandwidth)) : 1.0;
         const double value = smoothed(groups, group, bandwidth, at[k]) + image;
-        const double half_width = 0.5 * z * sqrt(variance * both); // of the root, which has the same for all densities
+        const double variance = fmax(both * roughness - value, 0.0) / (double)n; // of the estimate, per density
+        const double half_width = 0.5 * z * sqrt(variance);                      // of the root
         density[k] = (pdmc_estimate){.value = value,
                                      .lower = gsl_pow_2(fmax(sqrt(value) - half_width, 0.0)),
                                      .upper = gsl_pow_2(sqrt(value) + half_width)};
