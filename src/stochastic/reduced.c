@@ -14,25 +14,65 @@ static int number_observed(const pdmc_affine *full, int number[])
     for (int k = 0; k < full->unknowns; k++) number[k] = -1;
     for (int d = 0; d < full->tips * full->angles; d++) {
         const pdmc_crossing *crossing = &full->crossings[d];
-        for (int k = 0; k < crossing->bonds * PDMC_BOND_ENDS; k++)
+        for (int k = 0; crossing->column && k < crossing->bonds * PDMC_BOND_ENDS; k++)
             if (number[crossing->column[k]] < 0) number[crossing->column[k]] = observed++;
     }
     return observed;
 }
 
-static pdmc_status copy_crossing(const pdmc_crossing *full, const int number[], pdmc_crossing *reduced)
+static pdmc_status copy_sparse(const pdmc_crossing *full, const int number[], pdmc_crossing *reduced)
 {
     pdmc_status status = PDMC_OK;
     const size_t values = (size_t)full->bonds * PDMC_BOND_ENDS;
     PDMC_NEW(reduced->row, values);
     PDMC_NEW(reduced->column, values);
-    PDMC_NEW(reduced->ring, full->bonds);
-    reduced->bonds = full->bonds;
     for (size_t k = 0; k < values; k++) {
         reduced->row[k] = full->row[k];
         reduced->column[k] = number[full->column[k]];
     }
-    for (int b = 0; b < full->bonds; b++) reduced->ring[b] = full->ring[b];
+done:
+    return status;
+}
+
+// Full rows in the coordinates of the space, or as they are where they look at what is observed.
+static pdmc_status reduce_rows(const pdmc_reduced_builder *b, const pdmc_crossing *full, pdmc_crossing *reduced)
+{
+    pdmc_status status = PDMC_OK;
+    const int n = b->n, r = b->system->dimension, observed = b->full->observed;
+    const int width = observed > 0 ? observed : r;
+    PDMC_NEW(reduced->row, (size_t)full->bonds * (size_t)width);
+    if (observed > 0) memcpy(reduced->row, full->row, (size_t)full->bonds * (size_t)width * sizeof *full->row);
+    else if (full->bonds > 0)
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, full->bonds, r, n, 1.0, full->row, n, b->basis, n, 0.0,
+                    reduced->row, r);
+done:
+    return status;
+}
+
+static pdmc_status reduce_crossing(const pdmc_reduced_builder *b, const pdmc_crossing *full, const int number[],
+                                   pdmc_crossing *reduced)
+{
+    pdmc_status status = PDMC_OK;
+    PDMC_NEW(reduced->ring, full->bonds);
+    reduced->bonds = full->bonds;
+    for (int k = 0; k < full->bonds; k++) reduced->ring[k] = full->ring[k];
+    PDMC_TRY(full->column ? copy_sparse(full, number, reduced) : reduce_rows(b, full, reduced));
+done:
+    return status;
+}
+
+// What the crossings of the full model observe, in the coordinates of the space.
+static pdmc_status reduce_observed(const pdmc_reduced_builder *b, const int number[], pdmc_affine *reduced)
+{
+    pdmc_status status = PDMC_OK;
+    const int n = b->n, r = b->system->dimension;
+    PDMC_NEW(reduced->observe, (size_t)reduced->observed * (size_t)r);
+    if (b->full->observed > 0)
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, reduced->observed, r, n, 1.0, b->full->observe, n,
+                    b->basis, n, 0.0, reduced->observe, r);
+    for (int k = 0; k < n && b->full->observed == 0; k++)
+        for (int j = 0; j < r && number[k] >= 0; j++)
+            reduced->observe[(size_t)number[k] * (size_t)r + (size_t)j] = b->basis[(size_t)j * (size_t)n + (size_t)k];
 done:
     return status;
 }
@@ -41,17 +81,14 @@ static pdmc_status reduce_crossings(const pdmc_reduced_builder *b, pdmc_affine *
 {
     pdmc_status status = PDMC_OK;
     const pdmc_affine *full = b->full;
-    const int directions = full->tips * full->angles, r = reduced->unknowns;
+    const int directions = full->tips * full->angles;
     int *number = NULL;
     PDMC_NEW(number, full->unknowns);
     PDMC_NEW(reduced->crossings, directions);
-    reduced->observed = number_observed(full, number);
-    PDMC_NEW(reduced->observe, (size_t)reduced->observed * (size_t)r);
-    for (int k = 0; k < full->unknowns; k++)
-        for (int j = 0; j < r && number[k] >= 0; j++)
-            reduced->observe[(size_t)number[k] * (size_t)r + (size_t)j] =
-                b->basis[(size_t)j * (size_t)b->n + (size_t)k];
-    for (int d = 0; d < directions; d++) PDMC_TRY(copy_crossing(&full->crossings[d], number, &reduced->crossings[d]));
+    reduced->observed = full->observed > 0 ? full->observed : number_observed(full, number);
+    PDMC_TRY(reduce_observed(b, number, reduced));
+    for (int d = 0; d < directions; d++)
+        PDMC_TRY(reduce_crossing(b, &full->crossings[d], number, &reduced->crossings[d]));
 done:
     pdmc_free(number);
     return status;
@@ -127,4 +164,10 @@ done:
 pdmc_status pdmc_reduced_solve(const pdmc_affine *reduced, const double xi[], double x[], double error[PDMC_BLOCK])
 {
     return pdmc_reduced_system_solve(reduced->discretisation, xi, x, error);
+}
+
+pdmc_status pdmc_reduced_coercivity(const pdmc_affine *reduced, const double xi[], double alpha[PDMC_BLOCK])
+{
+    const pdmc_reduced_system *system = reduced->discretisation;
+    return pdmc_reduced_system_coercivity(system, xi, alpha);
 }

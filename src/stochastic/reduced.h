@@ -8,8 +8,8 @@
 /// the preconditioned residuals of training samples, those directions first in which they are largest, until the bound is
 /// met by all of them. So it holds what block conjugate gradients would find for these samples, and others like them.
 ///
-/// The bound. With K(xi) >= alpha K_0, alpha = 1 + min xi > 0 (every K_m is positive semi-definite), the error e of a
-/// solution with the residual r has
+/// The bound. With K(xi) >= alpha K_0, alpha > 0 by the model's verb `coercivity`, the error e of a solution with the
+/// residual r has
 ///     e' K(xi) e <= r' K_0^-1 r / alpha,
 /// and r' K_0^-1 r is estimated from above by probes z_k of covariance K_0^-1, independent of the residual: sum_k (z_k' r)^2
 /// is that norm times a chi-square variable of as many degrees of freedom as there are probes (Smetana, Zahm & Patera,
@@ -36,3 +36,10 @@ PDMC_NODISCARD pdmc_status pdmc_reduced_create(const pdmc_variables *variables, 
 /// @return PDMC_OK or PDMC_ERR_NOMEM
 PDMC_NODISCARD pdmc_status pdmc_reduced_solve(const pdmc_affine *reduced, const double xi[], double x[],
                                               double error[PDMC_BLOCK]);
+
+/// alpha of K(xi) >= alpha K_0 of a block, by the full model.
+/// @param[in]  xi     [PDMC_BLOCK, terms]
+/// @param[out] alpha  [PDMC_BLOCK]
+/// @return PDMC_OK or the failure of the model's verb
+PDMC_NODISCARD pdmc_status pdmc_reduced_coercivity(const pdmc_affine *reduced, const double xi[],
+                                                   double alpha[PDMC_BLOCK]);

@@ -19,7 +19,7 @@ pdmc_status pdmc_reduced_builder_create(pdmc_reduced_builder *b)
 {
     pdmc_status status = PDMC_OK;
     const size_t n = (size_t)b->n, terms = (size_t)b->full->terms;
-    PDMC_TRY(pdmc_reduced_system_create(b->full->terms, &b->system));
+    PDMC_TRY(pdmc_reduced_system_create(b->full, &b->system));
     PDMC_NEW(b->basis, CAPACITY * n);
     PDMC_NEW(b->image, CAPACITY * n);
     PDMC_NEW(b->probe, PDMC_PROBES * n);
@@ -139,26 +139,31 @@ static void project_on_probes(const pdmc_reduced_builder *b, int m, int first, i
                 0.0, &b->system->probe_matrix[((size_t)m * CAPACITY + (size_t)first) * PDMC_PROBES], PDMC_PROBES);
 }
 
-// Rows first .. first + count - 1 of V' K_m V, and by symmetry its columns.
-static void project_on_basis(const pdmc_reduced_builder *b, int m, int first, int count, const double product[])
+static void mirror(int first, int r, double matrix[])
 {
-    const int n = b->n, r = first + count;
-    double *matrix = &b->system->matrix[(size_t)(m - 1) * CAPACITY * CAPACITY];
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, count, r, n, 1.0, product, n, b->basis, n, 0.0,
-                &matrix[(size_t)first * CAPACITY], CAPACITY);
     for (size_t j = (size_t)first; j < (size_t)r; j++)
         for (size_t i = 0; i < j; i++) matrix[i * CAPACITY + j] = matrix[j * CAPACITY + i];
 }
 
-// Everything that solving needs of `count` <= B new vectors at the end of the basis.
-static pdmc_status project(pdmc_reduced_builder *b, int count)
+static double *matrix_of_term(const pdmc_reduced_builder *b, int m)
+{
+    return &b->system->matrix[(size_t)(m - 1) * CAPACITY * CAPACITY];
+}
+
+// Rows first .. first + count - 1 of V' K_m V, and by symmetry its columns.
+static void project_on_basis(const pdmc_reduced_builder *b, int m, int first, int count, const double product[])
+{
+    const int n = b->n, r = first + count;
+    double *matrix = matrix_of_term(b, m);
+    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, count, r, n, 1.0, product, n, b->basis, n, 0.0,
+                &matrix[(size_t)first * CAPACITY], CAPACITY);
+    mirror(first, r, matrix);
+}
+
+// The terms one by one, each applied to the new vectors.
+static pdmc_status project_terms(pdmc_reduced_builder *b, int first, int count)
 {
     pdmc_status status = PDMC_OK;
-    const int n = b->n, first = b->system->dimension;
-    const double *vectors = &b->basis[(size_t)first * (size_t)n];
-    b->system->dimension += count;
-    cblas_dgemv(CblasRowMajor, CblasNoTrans, count, n, 1.0, vectors, n, b->load, 1, 0.0, &b->system->load[first], 1);
-    project_on_probes(b, 0, first, count, &b->image[(size_t)first * (size_t)n]);
 #pragma omp parallel num_threads(b->threads)
     {
         selection work;
@@ -177,6 +182,43 @@ static pdmc_status project(pdmc_reduced_builder *b, int count)
         }
     }
     return status;
+}
+
+// All terms at once, by the model's own verb.
+static pdmc_status project_at_once(pdmc_reduced_builder *b, int first, int count)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_affine *full = b->full;
+    const size_t terms = (size_t)full->terms, r = (size_t)(first + count), rows = (size_t)count;
+    const double *vectors = &b->basis[(size_t)first * (size_t)b->n];
+    double *on_probes = NULL, *on_basis = NULL;
+    PDMC_NEW(on_probes, terms * rows * PDMC_PROBES);
+    PDMC_NEW(on_basis, terms * rows * r);
+    PDMC_TRY(full->verbs->project(full, count, vectors, PDMC_PROBES, b->probe, on_probes));
+    PDMC_TRY(full->verbs->project(full, count, vectors, (int)r, b->basis, on_basis));
+    for (size_t m = 0; m < terms; m++) {
+        double *matrix = matrix_of_term(b, (int)m + 1);
+        memcpy(&b->system->probe_matrix[((m + 1) * CAPACITY + (size_t)first) * PDMC_PROBES],
+               &on_probes[m * rows * PDMC_PROBES], rows * PDMC_PROBES * sizeof *on_probes);
+        for (size_t i = 0; i < rows; i++)
+            memcpy(&matrix[((size_t)first + i) * CAPACITY], &on_basis[(m * rows + i) * r], r * sizeof *on_basis);
+        mirror(first, (int)r, matrix);
+    }
+done:
+    pdmc_free(on_probes);
+    pdmc_free(on_basis);
+    return status;
+}
+
+// Everything that solving needs of `count` <= B new vectors at the end of the basis.
+static pdmc_status project(pdmc_reduced_builder *b, int count)
+{
+    const int n = b->n, first = b->system->dimension;
+    const double *vectors = &b->basis[(size_t)first * (size_t)n];
+    b->system->dimension += count;
+    cblas_dgemv(CblasRowMajor, CblasNoTrans, count, n, 1.0, vectors, n, b->load, 1, 0.0, &b->system->load[first], 1);
+    project_on_probes(b, 0, first, count, &b->image[(size_t)first * (size_t)n]);
+    return (b->full->verbs->project ? project_at_once : project_terms)(b, first, count);
 }
 
 // Appends to the basis those combinations of the block that are new and large: the eigenvectors of its Gram matrix in the

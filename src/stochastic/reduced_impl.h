@@ -8,6 +8,7 @@ enum { PDMC_PROBES = PDMC_BLOCK, PDMC_REDUCED_CAPACITY = 6 * PDMC_BLOCK };
 
 /// What a reduced model solves with; r is its dimension, the capacity the leading dimension of what grows.
 typedef struct {
+    const pdmc_affine *full;
     int dimension, terms;
     double *matrix;       // [terms, capacity, capacity] V' K_m V; V' K_0 V is the identity
     double *load;         // [capacity] V' F
@@ -16,12 +17,16 @@ typedef struct {
     double quantile;      // of chi-square with PDMC_PROBES degrees of freedom, at the probability of a failing bound
 } pdmc_reduced_system;
 
-PDMC_NODISCARD pdmc_status pdmc_reduced_system_create(int terms, pdmc_reduced_system **system);
+PDMC_NODISCARD pdmc_status pdmc_reduced_system_create(const pdmc_affine *full, pdmc_reduced_system **system);
 void pdmc_reduced_system_destroy(void *system);
 
 /// As pdmc_reduced_solve(), with rows of x of length system->dimension.
 PDMC_NODISCARD pdmc_status pdmc_reduced_system_solve(const pdmc_reduced_system *system, const double xi[], double x[],
                                                      double error[PDMC_BLOCK]);
+
+/// As pdmc_reduced_coercivity().
+PDMC_NODISCARD pdmc_status pdmc_reduced_system_coercivity(const pdmc_reduced_system *system, const double xi[],
+                                                          double alpha[PDMC_BLOCK]);
 
 /// What a basis is made with. Vectors are [count, unknowns]; B = PDMC_BLOCK.
 typedef struct {
@@ -35,7 +40,7 @@ typedef struct {
     double *block, *product; // [B]
     double *overlap;         // [B, PDMC_REDUCED_CAPACITY]
     pdmc_draws training;
-    double *none;            // [B, terms] zero
+    double *none; // [B, terms] zero
 } pdmc_reduced_builder;
 
 PDMC_NODISCARD pdmc_status pdmc_reduced_builder_create(pdmc_reduced_builder *b);

@@ -11,11 +11,13 @@ enum { B = PDMC_BLOCK, CAPACITY = PDMC_REDUCED_CAPACITY };
 
 static const double failure_probability = 1e-9; // of the bound of one sample
 
-pdmc_status pdmc_reduced_system_create(int terms, pdmc_reduced_system **system)
+pdmc_status pdmc_reduced_system_create(const pdmc_affine *full, pdmc_reduced_system **system)
 {
     pdmc_status status = PDMC_OK;
+    const int terms = full->terms;
     pdmc_reduced_system *made = NULL;
     PDMC_NEW(made, 1);
+    made->full = full;
     made->terms = terms;
     made->quantile = gsl_cdf_chisq_Pinv(failure_probability, PDMC_PROBES);
     PDMC_NEW(made->matrix, (size_t)terms * CAPACITY * CAPACITY);
@@ -82,19 +84,23 @@ done:
     return status;
 }
 
-// The smallest eigenvalue of K(xi) against K_0 is at least this.
-static double coercivity(const double xi[], int terms)
+pdmc_status pdmc_reduced_system_coercivity(const pdmc_reduced_system *system, const double xi[], double alpha[B])
 {
-    double least = 0.0;
-    for (int m = 0; m < terms; m++) least = fmin(least, xi[m]);
-    return 1.0 + least;
+    const pdmc_affine *full = system->full;
+    if (full->verbs->coercivity) return full->verbs->coercivity(full, xi, alpha);
+    for (int s = 0; s < B; s++) {
+        double least = 0.0;
+        for (int m = 0; m < full->terms; m++) least = fmin(least, xi[s * full->terms + m]);
+        alpha[s] = 1.0 + least;
+    }
+    return PDMC_OK;
 }
 
 pdmc_status pdmc_reduced_system_solve(const pdmc_reduced_system *system, const double xi[], double x[], double error[B])
 {
     pdmc_status status = PDMC_OK;
     const int r = system->dimension, terms = system->terms;
-    double *A = NULL, sum[B];
+    double *A = NULL, sum[B], alpha[B];
     bool is_solved[B];
     PDMC_NEW(A, (size_t)r * (size_t)r);
     for (int s = 0; s < B; s++) {
@@ -102,10 +108,10 @@ pdmc_status pdmc_reduced_system_solve(const pdmc_reduced_system *system, const d
         is_solved[s] = solve_one(system, &xi[s * terms], A, &x[s * r]);
     }
     PDMC_TRY(probe_residuals(system, xi, x, sum));
+    PDMC_TRY(pdmc_reduced_system_coercivity(system, xi, alpha));
     for (int s = 0; s < B; s++) {
-        const double alpha = coercivity(&xi[s * terms], terms);
-        const bool is_bounded = is_solved[s] && alpha > 0.0;
-        error[s] = is_bounded ? sqrt(sum[s] / (system->quantile * alpha)) : INFINITY;
+        const bool is_bounded = is_solved[s] && alpha[s] > 0.0;
+        error[s] = is_bounded ? sqrt(sum[s] / (system->quantile * alpha[s])) : INFINITY;
     }
 done:
     pdmc_free(A);
