@@ -59,8 +59,8 @@ PDMC_API void pdmc_distribution_moments(const pdmc_distribution *distribution, d
 /// The Cholesky factor of the correlation matrix of a Gaussian copula, with which z = L w makes correlated standard
 /// normal variables of independent ones.
 /// @param[in]  n            number of variables
-/// @param[in]  correlation  [n, n] exactly symmetric, of the normal variables (not of the quantities themselves), 1 on the
-///                          diagonal
+/// @param[in]  correlation  [n, n] exactly symmetric, of the normal variables (not of the quantities themselves), 1 on
+///                          the diagonal
 /// @param[out] factor       [n, n] L, lower triangle, 0 above
 /// @return PDMC_OK, or PDMC_ERR_ARG where the matrix is not such or not positive definite
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_copula_factor(int n, const double correlation[], double factor[]);

@@ -20,7 +20,7 @@ typedef struct {
     void (*by_moments)(double mean, double deviation, pdmc_distribution *distribution);
     /// What else its parameters must fulfil; may be NULL.
     pdmc_status (*check)(const pdmc_distribution *distribution);
-    /// The tails at the points between its ends where its density is not smooth, ascending, and their number; may be NULL.
+    /// The tails at the points between its ends where its density is not smooth, ascending, and their number; or NULL.
     int (*kinks)(const pdmc_distribution *distribution);
     pdmc_tails (*kink)(const pdmc_distribution *distribution, int index);
 } pdmc_family;
