@@ -11,6 +11,7 @@
 #include <string.h>
 
 static const double DEPENDENT = 1e-12; // of a functional's variance is less than this new, to rounding it has none
+static const double NOTHING = 1e-13;   // of the largest eigenvalue: below, a remaining mode is rounding and is left 0
 
 /// All points of the functionals, and their weights, a column each.
 static pdmc_status gather(int functionals, const pdmc_field_functional functional[], pdmc_functions *result)
@@ -99,8 +100,8 @@ done:
     return status;
 }
 
-/// What the directions' functionals make of the pairs, t_i' (sqrt(lambda_k) phi_k) [directions, pairs].
-static pdmc_status apply(const pdmc_karhunen_loeve *pairs, const pdmc_functions *result, double effect[])
+/// The products of the directions with the pairs, d_i' phi_k = lambda_k t_i' phi_k [directions, pairs].
+static pdmc_status multiply(const pdmc_karhunen_loeve *pairs, const pdmc_functions *result, double product[])
 {
     pdmc_status status = PDMC_OK;
     const int n = pdmc_polynomials_count(&pairs->space), f = result->directions;
@@ -114,55 +115,37 @@ static pdmc_status apply(const pdmc_karhunen_loeve *pairs, const pdmc_functions 
                     &result->weight[(size_t)first * (size_t)f], f, polynomial, n, 1.0, sum, n);
     }
     cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, f, pairs->modes, n, 1.0, sum, n, pairs->coefficient, n, 0.0,
-                effect, pairs->modes);
+                product, pairs->modes);
     for (int i = 0; i < f; i++)
-        for (int k = 0; k < pairs->modes; k++) effect[i * pairs->modes + k] *= sqrt(pairs->lambda[k]);
+        for (int k = 0; k < pairs->modes; k++) product[i * pairs->modes + k] *= pairs->lambda[k];
 done:
     pdmc_free(sum);
     pdmc_free(polynomial);
     return status;
 }
 
-/// The eigenvectors, one a row, the leading last, of the Gram matrix of the pairs without their part along the directions.
-/// In the pairs a direction is sum_k t_k psi_k, so that the Gram matrix is (I - T' T) diag(lambda) (I - T' T).
-static pdmc_status decompose_rest(const pdmc_karhunen_loeve *pairs, int directions, const double effect[],
-                                  double vector[])
+/// Eigenvectors v, one a row, and eigenvalues, ascending, of R in the pairs, diag(lambda) - product' product.
+static pdmc_status decompose_rest(const pdmc_karhunen_loeve *pairs, int directions, const double product[],
+                                  double vector[], double value[])
 {
-    pdmc_status status = PDMC_OK;
     const int m = pairs->modes;
-    double *left = NULL, *scaled = NULL, *value = NULL;
-    PDMC_NEW(left, (size_t)m * (size_t)m);
-    PDMC_NEW(scaled, (size_t)m * (size_t)m);
-    PDMC_NEW(value, m);
-    cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, m, m, directions, -1.0, effect, m, effect, m, 0.0, left, m);
-    for (int i = 0; i < m; i++) left[(size_t)i * (size_t)m + (size_t)i] += 1.0;
-    for (int i = 0; i < m; i++)
-        for (int j = 0; j < m; j++) {
-            const size_t at = (size_t)i * (size_t)m + (size_t)j;
-            scaled[at] = left[at] * sqrt(pairs->lambda[j]);
-        }
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, m, m, m, 1.0, scaled, m, scaled, m, 0.0, vector, m);
+    cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, m, m, directions, -1.0, product, m, product, m, 0.0, vector,
+                m);
+    for (int k = 0; k < m; k++) vector[(size_t)k * (size_t)m + (size_t)k] += pairs->lambda[k];
     const int info = LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'L', m, vector, m, value);
-    if (info) PDMC_FAIL(PDMC_ERR_EXTERN, "LAPACKE_dsyevd returned %d", info);
-done:
-    pdmc_free(value);
-    pdmc_free(scaled);
-    pdmc_free(left);
-    return status;
+    return info ? pdmc_raise(PDMC_ERR_EXTERN, "LAPACKE_dsyevd returned %d", info) : PDMC_OK;
 }
 
-/// The modes of the rest from the eigenvectors: psi = sum_k v_k (sqrt(lambda_k) phi_k - sum_i t_ik d_i).
-static void combine(const pdmc_karhunen_loeve *pairs, const double effect[], double vector[], pdmc_functions *result)
+/// R v / sqrt(v' R v) = (sum_k v_k lambda_k phi_k - sum_i (d_i' v) d_i) / sqrt(v' R v); v is destroyed.
+static void take_mode(const pdmc_karhunen_loeve *pairs, const double product[], double mu, double v[],
+                      const pdmc_functions *result, int mode)
 {
     const int n = pdmc_polynomials_count(&pairs->space), m = pairs->modes, f = result->directions;
-    for (int mode = f; mode < result->count; mode++) {
-        double *v = &vector[(size_t)(m - 1 - (mode - f)) * (size_t)m];
-        double *coefficient = &result->coefficient[(size_t)mode * (size_t)n], *mix = &result->mix[mode * f];
-        cblas_dscal(m, pdmc_field_sign(m, v), v, 1);
-        if (f > 0) cblas_dgemv(CblasRowMajor, CblasNoTrans, f, m, -1.0, effect, m, v, 1, 0.0, mix, 1);
-        for (int k = 0; k < m; k++) v[k] *= sqrt(pairs->lambda[k]);
-        cblas_dgemv(CblasRowMajor, CblasTrans, m, n, 1.0, pairs->coefficient, n, v, 1, 0.0, coefficient, 1);
-    }
+    double *coefficient = &result->coefficient[(size_t)mode * (size_t)n];
+    cblas_dscal(m, pdmc_field_sign(m, v) / sqrt(mu), v, 1);
+    cblas_dgemv(CblasRowMajor, CblasNoTrans, f, m, -1.0, product, m, v, 1, 0.0, &result->mix[mode * f], 1);
+    for (int k = 0; k < m; k++) v[k] *= pairs->lambda[k];
+    cblas_dgemv(CblasRowMajor, CblasTrans, m, n, 1.0, pairs->coefficient, n, v, 1, 0.0, coefficient, 1);
 }
 
 static void take_pairs(const pdmc_karhunen_loeve *pairs, pdmc_functions *result)
@@ -176,16 +159,20 @@ static void take_pairs(const pdmc_karhunen_loeve *pairs, pdmc_functions *result)
 static pdmc_status take_rest(const pdmc_karhunen_loeve *pairs, pdmc_functions *result)
 {
     pdmc_status status = PDMC_OK;
-    double *effect = NULL, *vector = NULL;
-    PDMC_NEW(effect, result->directions * pairs->modes);
-    PDMC_NEW(vector, (size_t)pairs->modes * (size_t)pairs->modes);
-    for (int i = 0; i < result->directions; i++) result->mix[i * result->directions + i] = 1.0;
-    PDMC_TRY(apply(pairs, result, effect));
-    PDMC_TRY(decompose_rest(pairs, result->directions, effect, vector));
-    combine(pairs, effect, vector, result);
+    const int m = pairs->modes, f = result->directions;
+    double *product = NULL, *vector = NULL, *value = NULL;
+    PDMC_NEW(product, f * m);
+    PDMC_NEW(vector, (size_t)m * (size_t)m);
+    PDMC_NEW(value, m);
+    for (int i = 0; i < f; i++) result->mix[i * f + i] = 1.0;
+    PDMC_TRY(multiply(pairs, result, product));
+    PDMC_TRY(decompose_rest(pairs, f, product, vector, value));
+    for (int i = m - 1, mode = f; i >= 0 && mode < result->count && value[i] > NOTHING * pairs->lambda[0]; i--, mode++)
+        take_mode(pairs, product, value[i], &vector[(size_t)i * (size_t)m], result, mode);
 done:
+    pdmc_free(value);
     pdmc_free(vector);
-    pdmc_free(effect);
+    pdmc_free(product);
     return status;
 }
 
