@@ -240,6 +240,8 @@ static void one_dimension_is_a_stratified_sample(void **state)
         check_chi_squared(squares, REPLICATES); // the mean of 32 is normal to 1e-2 in its kurtosis
         for (int i = 0; i < POINTS * REPLICATES; i++) u[i] = fmod(u[i] * POINTS, 1.0);
         check_uniform(POINTS * REPLICATES, u); // within the intervals
+        for (int i = 0; i < POINTS * REPLICATES; i++) u[i] = fmod(u[i] * 0x1p27, 1.0);
+        check_uniform(POINTS * REPLICATES, u); // and past the 32 digits of Sobol' sequences
         free(u);
         pdmc_design_destroy(&design);
     }
