@@ -5,6 +5,7 @@
 /// discretisation; no module behind it reads a configuration. Lengths and forces are in the study's own units, angles
 /// in radians, counter-clockwise from the x axis. The plate is centred at the origin.
 
+#include "pdmc/design.h"
 #include "pdmc/field.h"
 
 enum { PDMC_NAME_SIZE = 64 }; // with the terminating zero
@@ -155,11 +156,24 @@ typedef enum { PDMC_INVERSE_DIRECT, PDMC_INVERSE_NEUMANN, PDMC_INVERSE_KRYLOV, P
 typedef struct {
     uint64_t seed;
     int samples;
+    pdmc_design_kind design;
+    int replicates; // of a design that is not plain Monte Carlo
     pdmc_inverse inverse;
     int order;               // of the Neumann expansion
     double tolerance;        // of the relative residual of Krylov's iteration
     double energy_tolerance; // of a sample's largest energy, relative, by the reduced model
 } pdmc_sampling;
+
+/// How the probability of a rare growth is found, besides counting samples.
+typedef enum { PDMC_RARE_NONE, PDMC_RARE_IMPORTANCE, PDMC_RARE_SUBSET, PDMC_RARE_BOTH } pdmc_rare_method;
+
+/// The event is that the largest energy of any of the tips exceeds G_c.
+typedef struct {
+    pdmc_rare_method method;
+    double variation; // coefficient of variation of P that is asked for
+    int evaluations;  // at most, of each method
+    int sensitivity;  // rows of the designs for Sobol' indices; 0: none
+} pdmc_reliability_request;
 
 typedef enum { PDMC_BONDS_ALL, PDMC_BONDS_TENSILE } pdmc_bonds;
 typedef enum { PDMC_MEASURE_BOND, PDMC_MEASURE_GRIFFITH } pdmc_measure;
@@ -225,6 +239,7 @@ typedef struct {
     pdmc_correlation *correlations; // [correlation_count]
     pdmc_solver_options solver;
     pdmc_sampling sampling;
+    pdmc_reliability_request reliability;
     pdmc_energy_request energy;
 } pdmc_problem;
 

@@ -3,7 +3,7 @@
 
 /// The results of a study: what the solver found, every sample, and their statistics; one HDF5 file.
 
-#include "pdmc/statistics.h"
+#include "pdmc/reliability.h"
 #include "pdmc/study.h"
 
 typedef enum {
@@ -71,6 +71,33 @@ typedef struct {
 } pdmc_sample_accuracy;
 extern PDMC_API const pdmc_sample_accuracy pdmc_no_accuracy; // NaN throughout
 
+/// What one method says of the probability that any tip grows.
+typedef struct {
+    char name[PDMC_LONG_NAME_SIZE];
+    pdmc_reliability found;
+    double evaluations, failed; // as numbers of the file
+    int complete;               // whether the variation that was asked for was met
+} pdmc_reliability_record;
+
+/// A random quantity's part in the margin log G / G_c.
+typedef struct {
+    char name[PDMC_LONG_NAME_SIZE];
+    int variables;              // normal variables behind it
+    double importance;          // sum of alpha_i^2 at the design point; NaN without one
+    pdmc_estimate first, total; // Sobol' indices; NaN where they were not asked for
+} pdmc_reliability_group;
+
+typedef struct {
+    int record_count;
+    pdmc_reliability_record *records; // [record_count]
+    int group_count;
+    pdmc_reliability_group *groups; // [group_count]
+    int variable_count;
+    double *design_point; // [variable_count] z, or 0 where it was not searched
+    double first_order_index, first_order_probability, first_order_evaluations; // NaN where there is no design point
+    double solved_in_full; // points too near to G_c for the reduced model
+} pdmc_reliability_results;
+
 /// The plate as it was discretised, and its displacement at the mean.
 typedef struct {
     int node_count;
@@ -101,6 +128,7 @@ typedef struct {
 
 typedef struct {
     double assembly, factorisation, operators, energy_rows, sampling, energy, statistics, output, total; // wall seconds
+    double reliability; // of rare growth and sensitivities; NaN in files that do not hold it
     double motion; // of a dynamic study: the weak form and the time steps
     double peak_memory; // largest resident memory of the process until then, bytes; NaN in files that do not hold it
     int threads;
@@ -143,6 +171,7 @@ typedef struct {
     double *effective_modulus;  // [S] E_eff / E
     double *contraction;        // [S] measured factor of the Neumann expansion; NaN with direct solves
     pdmc_sample_accuracy accuracy;
+    double *growth_given_rest;      // [S, T] P(the tip grows | all but the load); NaN where it is not known
     double *sample_fracture_energy; // [S] force / length
     uint8_t *failure;           // [S] pdmc_sample_failure
     uint8_t *sample_solver;     // [S] pdmc_sample_solver
@@ -150,9 +179,12 @@ typedef struct {
     double *energy[PDMC_MEASURES]; // each [S, T, A], by pdmc_measure; NaN where the sample failed
 
     // their statistics, over the samples that did not fail
+    double replicates;  // of the design of samples, whose spread gives the intervals; 0 where samples are independent
     int histogram_bins; // B
     pdmc_energy_statistics statistics[PDMC_MEASURES];
     pdmc_estimate *direction;   // [T, A] share of the samples whose `measure` is largest at that angle
+    pdmc_estimate *conditional_probability; // [T] the same with the load integrated analytically; NaN where it cannot be
+    pdmc_reliability_results reliability;
     pdmc_estimate *probability; // [T] P(max over angles of `measure` > fracture_energy); bounds count failed samples
                                 // as both, m / N and (m + failed) / N
 

@@ -5,6 +5,9 @@
 
 #define MOTION "/motion/" // the group that only dynamic studies have
 #define PEAK_MEMORY "/runtime/peak_memory"
+#define REPLICATES "/statistics/replicates"
+#define GIVEN_REST "/samples/growth_given_rest"
+#define CONDITIONAL "/statistics/conditional_probability"
 #define FRACTURE_ENERGY "/samples/fracture_energy"
 #define SOLVER "/samples/solver"
 #define ACCURACY "/solver/samples/"
@@ -43,6 +46,13 @@
           PDMC_DIM_BIN_AND_OUTSIDE),                                                                                   \
     ESTIMATES(group "/density", statistics[which].density, DENSITY, "probability density in each bin", PDMC_DIM_TIP,   \
               PDMC_DIM_ANGLE, PDMC_DIM_BIN)
+#define RELIABILITY "/reliability/"
+#define METHOD(path, kind, name, unit, text, width, ...)                                                               \
+    {RELIABILITY "methods/" path, text, PDMC_KIND_##kind, PDMC_UNIT_##unit, MEMBER(reliability.records),               \
+     sizeof(pdmc_reliability_record), offsetof(pdmc_reliability_record, name), width, {PDMC_DIM_METHOD, __VA_ARGS__}}
+#define GROUP(path, kind, name, unit, text, width, ...)                                                                \
+    {RELIABILITY "quantities/" path, text, PDMC_KIND_##kind, PDMC_UNIT_##unit, MEMBER(reliability.groups),             \
+     sizeof(pdmc_reliability_group), offsetof(pdmc_reliability_group, name), width, {PDMC_DIM_GROUP, __VA_ARGS__}}
 #define SECONDS(name, text) NUMBER("/runtime/" #name, REAL, runtime.name, TIME, "wall time of " text)
 
 // An axis is sized by the first dataset that has it, so each count comes with an array that holds little else.
@@ -124,6 +134,8 @@ const pdmc_dataset pdmc_datasets[] = {
            "median of those bounds"),
     NUMBER(ACCURACY "solved_in_full", REAL, accuracy.solved_in_full, NONE,
            "samples whose energy was too near to G_c for the reduced model"),
+    REALS(GIVEN_REST, growth_given_rest, NONE, "probability of growth given all but the load, NaN where it is not known",
+          PDMC_DIM_SAMPLE, PDMC_DIM_TIP),
     REALS(FRACTURE_ENERGY, sample_fracture_energy, ENERGY, "fracture energy G_c", PDMC_DIM_SAMPLE),
     ARRAY(SOLVER, BYTE, uint8_t, sample_solver, NONE,
           "0 as asked, 1 by conjugate gradients, 2 what the expansion stands for, 3 by its own factorisation",
@@ -145,6 +157,45 @@ const pdmc_dataset pdmc_datasets[] = {
               PDMC_DIM_TIP, PDMC_DIM_ANGLE),
     ESTIMATES("/statistics/probability", probability, NONE, "probability that the largest energy exceeds G_c",
               PDMC_DIM_TIP),
+
+    NUMBER(REPLICATES, REAL, replicates, NONE, "of the design of samples, 0 where samples are independent"),
+    ESTIMATES(CONDITIONAL, conditional_probability, NONE,
+              "the same with the load integrated analytically, NaN where it cannot be", PDMC_DIM_TIP),
+
+    METHOD("name", NAME, name, NONE, "how the probability that any tip grows was found", 1, PDMC_DIM_END),
+    METHOD("probability", REAL, found.probability.value, NONE, "probability that any tip grows", 1, PDMC_DIM_END),
+    METHOD("probability_interval", REAL, found.probability.lower, NONE, "lower and upper bound at the file's confidence",
+           2, PDMC_DIM_BOUND),
+    METHOD("index", REAL, found.index.value, NONE, "reliability index -Phi^-1(P)", 1, PDMC_DIM_END),
+    METHOD("index_interval", REAL, found.index.lower, NONE, "lower and upper bound at the file's confidence", 2,
+           PDMC_DIM_BOUND),
+    METHOD("variation", REAL, found.variation, NONE, "coefficient of variation of the probability", 1, PDMC_DIM_END),
+    METHOD("effective_samples", REAL, found.effective_samples, NONE, "(sum x)^2 / sum x^2 of what is averaged", 1,
+           PDMC_DIM_END),
+    METHOD("largest_share", REAL, found.largest_share, NONE, "of a single weight or run", 1, PDMC_DIM_END),
+    METHOD("evaluations", REAL, evaluations, NONE, "points that were solved", 1, PDMC_DIM_END),
+    METHOD("failed", REAL, failed, NONE, "points that could not be solved", 1, PDMC_DIM_END),
+    METHOD("complete", INT, complete, NONE, "1 where the variation that was asked for was met", 1, PDMC_DIM_END),
+    GROUP("name", NAME, name, NONE, "random quantity", 1, PDMC_DIM_END),
+    GROUP("variables", INT, variables, NONE, "normal variables behind it", 1, PDMC_DIM_END),
+    GROUP("importance", REAL, importance, NONE, "its share of the squared direction to the design point", 1,
+          PDMC_DIM_END),
+    GROUP("first_index", REAL, first.value, NONE, "Sobol' index of the first order of log G / G_c", 1, PDMC_DIM_END),
+    GROUP("first_index_interval", REAL, first.lower, NONE, "lower and upper bound at the file's confidence", 2,
+          PDMC_DIM_BOUND),
+    GROUP("total_index", REAL, total.value, NONE, "total Sobol' index of log G / G_c", 1, PDMC_DIM_END),
+    GROUP("total_index_interval", REAL, total.lower, NONE, "lower and upper bound at the file's confidence", 2,
+          PDMC_DIM_BOUND),
+    REALS(RELIABILITY "design_point", reliability.design_point, NONE,
+          "the normal variables, in the order of the quantities, where growth is likeliest", PDMC_DIM_VARIABLE),
+    NUMBER(RELIABILITY "first_order_index", REAL, reliability.first_order_index, NONE, "distance of the design point"),
+    NUMBER(RELIABILITY "first_order_probability", REAL, reliability.first_order_probability, NONE,
+           "Phi of minus that distance"),
+    NUMBER(RELIABILITY "first_order_evaluations", REAL, reliability.first_order_evaluations, NONE,
+           "points that its search took"),
+    NUMBER(RELIABILITY "solved_in_full", REAL, reliability.solved_in_full, NONE,
+           "points too near to G_c for the reduced model"),
+    NUMBER(RELIABILITY "seconds", REAL, runtime.reliability, TIME, "wall time of rare growth and sensitivities"),
 
     SECONDS(assembly, "the assembly of the mean operator"),
     SECONDS(factorisation, "its factorisation"),
@@ -207,6 +258,9 @@ static const struct {
     [PDMC_DIM_BIN_AND_OUTSIDE] = {"underflow, bins, overflow", MEMBER(histogram_bins), true, 2},
     [PDMC_DIM_TIME] = {"time", MEMBER(motion.time_count), true, 0},
     [PDMC_DIM_PROBE] = {"probe", MEMBER(motion.probe_count), true, 0},
+    [PDMC_DIM_METHOD] = {"method", MEMBER(reliability.record_count), true, 0},
+    [PDMC_DIM_GROUP] = {"random quantity", MEMBER(reliability.group_count), true, 0},
+    [PDMC_DIM_VARIABLE] = {"normal variable", MEMBER(reliability.variable_count), true, 0},
     [PDMC_DIM_QUANTILE] = {"quantile level", 0, false, PDMC_QUANTILES},
     [PDMC_DIM_COORDINATE] = {"x, y", 0, false, 2},
     [PDMC_DIM_END_POINT] = {"from x, from y, to x, to y", 0, false, 4},
@@ -243,8 +297,11 @@ bool pdmc_dataset_belongs(const pdmc_results *results, const pdmc_dataset *datas
 
 bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset)
 {
-    return strcmp(dataset->path, PEAK_MEMORY) == 0 || strcmp(dataset->path, FRACTURE_ENERGY) == 0 ||
-           strcmp(dataset->path, SOLVER) == 0 || strncmp(dataset->path, ACCURACY, strlen(ACCURACY)) == 0;
+    // What files of earlier versions do not hold.
+    static const char *const later[] = {PEAK_MEMORY, ACCURACY, FRACTURE_ENERGY, SOLVER, GIVEN_REST, CONDITIONAL, REPLICATES, RELIABILITY};
+    for (size_t i = 0; i < COUNT(later); i++)
+        if (strncmp(dataset->path, later[i], strlen(later[i])) == 0) return true;
+    return false;
 }
 
 size_t pdmc_dataset_rank(const pdmc_dataset *dataset)

@@ -52,6 +52,7 @@ static pdmc_status describe_study(const pdmc_study *study, pdmc_results *results
     results->energy_horizon = problem->energy.horizon;
     results->measure = problem->energy.measure;
     results->bonds = problem->energy.bonds;
+    results->replicates = problem->sampling.design == PDMC_DESIGN_MONTE_CARLO ? 0 : problem->sampling.replicates;
     results->histogram_bins = problem->kind == PDMC_STATIC ? HISTOGRAM_BINS : 0;
 done:
     return status;

@@ -153,7 +153,8 @@ static pdmc_status solve_one_directly(pdmc_block *block, int s)
 {
     const pdmc_affine *model = block->model;
     const double scale[2] = {1.0, block->drawn.draw[s].load_share};
-    const pdmc_status status = model->verbs->solve(model, block->drawn.draw[s].xi, scale, &block->x[s * model->unknowns]);
+    const pdmc_status status =
+        model->verbs->solve(model, block->drawn.draw[s].xi, scale, &block->x[s * model->unknowns]);
     if (status != PDMC_ERR_SINGULAR) return status;
     block->failure[s] = PDMC_SAMPLE_SINGULAR;
     return PDMC_OK;
@@ -226,10 +227,11 @@ pdmc_status pdmc_block_solve(pdmc_block *block, int count)
 
 static void full_stretches(pdmc_block *block, const pdmc_crossing *crossing)
 {
-    const int n = block->model->unknowns;
+    const bool is_observed = block->model->observed > 0;
+    const int n = is_observed ? block->model->observed : block->model->unknowns;
     if (crossing->bonds > 0)
-        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, crossing->bonds, B, n, 1.0, crossing->row, n, block->x, n,
-                    0.0, block->stretch, B);
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, crossing->bonds, B, n, 1.0, crossing->row, n,
+                    is_observed ? block->observed : block->x, n, 0.0, block->stretch, B);
 }
 
 // Sample by sample, since the unknowns near a tip stay in the cache.
@@ -270,14 +272,19 @@ static void sum_rings(const pdmc_block *block, int direction, pdmc_bonds bonds, 
     }
 }
 
-void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds)
+static void measure_intensities(pdmc_block *block)
 {
-    const double begin = pdmc_seconds();
     const pdmc_affine *model = block->model;
     const int n = model->unknowns;
     if (model->tips > 0)
         cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, 2 * model->tips, B, n, 1.0, model->stress_intensity, n,
                     block->x, n, 0.0, block->intensity, B);
+}
+
+static void measure_bonds(pdmc_block *block, pdmc_bonds bonds)
+{
+    const pdmc_affine *model = block->model;
+    const int n = model->unknowns;
     if (model->observed > 0)
         cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, B, model->observed, n, 1.0, block->x, n, model->observe, n,
                     0.0, block->observed, model->observed);
@@ -286,19 +293,59 @@ void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds)
         (crossing->column ? sparse_stretches : full_stretches)(block, crossing);
         sum_rings(block, d, bonds, &block->energy[d * B]);
     }
+}
+
+void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds)
+{
+    const double begin = pdmc_seconds();
+    measure_intensities(block);
+    measure_bonds(block, bonds);
     block->energy_seconds += pdmc_seconds() - begin;
 }
 
-// K_I, K_II and Griffith's energy at every angle of one tip of one sample. The rows give K at the mean modulus, and a
-// stress is proportional to the modulus.
-static void store_griffith(const pdmc_block *block, int s, const pdmc_tip *tip, int t, const double angles[],
-                           double intensity[2], double griffith[])
+void pdmc_block_measure(pdmc_block *block)
 {
-    const double modulus = block->drawn.draw[s].tip_modulus[t];
-    for (int k = 0; k < 2; k++) intensity[k] = modulus * block->intensity[(2 * t + k) * B + s];
-    const double plane_modulus = modulus * pdmc_plane_modulus(&block->problem->material);
-    for (int a = 0; a < block->model->angles; a++)
-        griffith[a] = pdmc_griffith_energy(angles[a] - tip->direction, intensity, plane_modulus);
+    const pdmc_energy_request *energy = &block->problem->energy;
+    if (energy->measure == PDMC_MEASURE_GRIFFITH) measure_intensities(block);
+    else measure_bonds(block, energy->bonds);
+}
+
+// K_I and K_II of one tip of one sample: the rows give them at the mean modulus, and a stress is proportional to the modulus.
+static void find_intensity(const pdmc_block *block, int s, int t, double intensity[2])
+{
+    for (int k = 0; k < 2; k++)
+        intensity[k] = block->drawn.draw[s].tip_modulus[t] * block->intensity[(2 * t + k) * B + s];
+}
+
+static double griffith_energy(const pdmc_block *block, int s, int t, const pdmc_results *results, int angle,
+                              const double intensity[2])
+{
+    const double modulus = block->drawn.draw[s].tip_modulus[t] * pdmc_plane_modulus(&block->problem->material);
+    return pdmc_griffith_energy(results->angles[angle] - results->tips[t].direction, intensity, modulus);
+}
+
+double pdmc_block_largest_energy(const pdmc_block *block, int s, int tip, const pdmc_results *results)
+{
+    const int angles = block->model->angles;
+    const bool is_griffith = block->problem->energy.measure == PDMC_MEASURE_GRIFFITH;
+    double intensity[2], largest = 0.0;
+    if (is_griffith) find_intensity(block, s, tip, intensity);
+    for (int a = 0; a < angles; a++)
+        largest = fmax(largest, is_griffith ? griffith_energy(block, s, tip, results, a, intensity)
+                                            : block->energy[(tip * angles + a) * B + s]);
+    return largest;
+}
+
+// P(the tip grows | all but the load): G goes with the square of the load, so that growth begins at one value of it.
+static double growth_given_rest(const pdmc_block *block, int s, int tip, const pdmc_results *results)
+{
+    const pdmc_draw *draw = &block->drawn.draw[s];
+    const pdmc_distribution *law = pdmc_variables_lone_load(block->variables);
+    if (!law || block->failure[s] != PDMC_SAMPLE_OK) return NAN;
+    const double load = draw->value[PDMC_QUANTITY_LOAD - PDMC_FIRST_SCALAR];
+    const double largest = pdmc_block_largest_energy(block, s, tip, results);
+    const double toughness = fmax(pdmc_draw_fracture_energy(draw), 0.0);
+    return largest > 0.0 ? pdmc_distribution_upper_tail(law, load * sqrt(toughness / largest)) : 0.0;
 }
 
 static void store_sample(const pdmc_block *block, int s, size_t sample, pdmc_results *results)
@@ -308,8 +355,12 @@ static void store_sample(const pdmc_block *block, int s, size_t sample, pdmc_res
         double *intensity = &results->stress_intensity[2 * (sample * tips + t)];
         double *bond = &results->energy[PDMC_MEASURE_BOND][(sample * tips + t) * angles];
         double *griffith = &results->energy[PDMC_MEASURE_GRIFFITH][(sample * tips + t) * angles];
-        store_griffith(block, s, &results->tips[t], (int)t, results->angles, intensity, griffith);
-        for (size_t a = 0; a < angles; a++) bond[a] = block->energy[(t * angles + a) * B + (size_t)s];
+        results->growth_given_rest[sample * tips + t] = growth_given_rest(block, s, (int)t, results);
+        find_intensity(block, s, (int)t, intensity);
+        for (size_t a = 0; a < angles; a++) {
+            bond[a] = block->energy[(t * angles + a) * B + (size_t)s];
+            griffith[a] = griffith_energy(block, s, (int)t, results, (int)a, intensity);
+        }
         if (block->failure[s] == PDMC_SAMPLE_OK) continue;
         intensity[0] = intensity[1] = NAN;
         for (size_t a = 0; a < angles; a++) bond[a] = griffith[a] = NAN;
@@ -326,7 +377,8 @@ void pdmc_block_store(const pdmc_block *block, int count, pdmc_results *results)
         results->failure[sample] = (uint8_t)block->failure[s];
         results->sample_solver[sample] = (uint8_t)block->solver[s];
         results->sample_fracture_energy[sample] = pdmc_draw_fracture_energy(&block->drawn.draw[s]);
-        if (bins > 0) memcpy(&results->micromodulus[sample * bins], block->drawn.draw[s].micromodulus, bins * sizeof(double));
+        if (bins > 0)
+            memcpy(&results->micromodulus[sample * bins], block->drawn.draw[s].micromodulus, bins * sizeof(double));
         store_sample(block, s, sample, results);
     }
 }
@@ -342,9 +394,11 @@ pdmc_status pdmc_block_nominal(pdmc_block *block, pdmc_results *results)
     for (int d = 0; d < directions; d++) results->nominal_bond_energy[d] = block->energy[d * B];
     pdmc_block_energies(block, PDMC_BONDS_TENSILE);
     for (int d = 0; d < directions; d++) results->nominal_bond_energy_tensile[d] = block->energy[d * B];
-    for (int t = 0; t < results->tip_count; t++)
-        store_griffith(block, 0, &results->tips[t], t, results->angles, intensity,
-                       &results->nominal_griffith_energy[t * angles]);
+    for (int t = 0; t < results->tip_count; t++) {
+        find_intensity(block, 0, t, intensity);
+        for (int a = 0; a < angles; a++)
+            results->nominal_griffith_energy[t * angles + a] = griffith_energy(block, 0, t, results, a, intensity);
+    }
     block->energy_seconds = 0.0;
     return PDMC_OK;
 }

@@ -8,8 +8,8 @@
 typedef struct {
     const pdmc_problem *problem;
     const pdmc_variables *variables;
-    const pdmc_affine *model;       // that the samples are solved by
-    int sample[PDMC_BLOCK];         // -1 for the mean
+    const pdmc_affine *model; // that the samples are solved by
+    int sample[PDMC_BLOCK];   // -1 for the mean
     pdmc_draws drawn;
     double *x, *term, *next;        // [unknowns] solution, last and next term of the expansion
     double contraction[PDMC_BLOCK]; // of the expansion
@@ -54,6 +54,12 @@ PDMC_NODISCARD pdmc_status pdmc_block_solve_directly(pdmc_block *block, int s);
 
 /// Stress intensity factors and bond energies of the solutions.
 void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds);
+
+/// What the problem's measure needs of these, for the largest energies alone.
+void pdmc_block_measure(pdmc_block *block);
+
+/// The largest energy of a tip by the problem's measure, over the directions of the results; force / length.
+double pdmc_block_largest_energy(const pdmc_block *block, int s, int tip, const pdmc_results *results);
 
 /// Copies the first `count` samples of the block to their places in the results.
 void pdmc_block_store(const pdmc_block *block, int count, pdmc_results *results);

@@ -61,7 +61,8 @@ void pdmc_draw_complete(const pdmc_problem *problem, const pdmc_affine *model, p
 
 void pdmc_draw_mean(const pdmc_problem *problem, const pdmc_affine *model, pdmc_draw *draw)
 {
-    for (int q = 0; q < PDMC_SCALARS; q++) draw->value[q] = pdmc_problem_nominal(problem, (pdmc_quantity)(PDMC_FIRST_SCALAR + q));
+    for (int q = 0; q < PDMC_SCALARS; q++)
+        draw->value[q] = pdmc_problem_nominal(problem, (pdmc_quantity)(PDMC_FIRST_SCALAR + q));
     for (int b = 0; b < model->bins; b++) draw->micromodulus[b] = 1.0;
     for (int m = model->radial_terms; m < model->terms; m++) draw->xi[m] = 0.0;
     pdmc_draw_complete(problem, model, draw);

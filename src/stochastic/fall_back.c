@@ -45,8 +45,7 @@ static pdmc_status solve_in_space(pdmc_block *block, int s)
     PDMC_NEW(matrix, (size_t)n * (size_t)n);
     PDMC_NEW(pivot, n);
     PDMC_TRY(fill_columns(model, block->drawn.draw[s].xi, matrix));
-    for (int k = 0; k < n; k++)
-        x[k] = model->solution[0][k] + block->drawn.draw[s].load_share * model->solution[1][k];
+    for (int k = 0; k < n; k++) x[k] = model->solution[0][k] + block->drawn.draw[s].load_share * model->solution[1][k];
     const int info = LAPACKE_dgesv(LAPACK_COL_MAJOR, n, 1, matrix, n, pivot, x, n);
     block->failure[s] = info == 0 ? PDMC_SAMPLE_OK : PDMC_SAMPLE_SINGULAR;
     block->solver[s] = PDMC_SOLVED_IN_SPACE;

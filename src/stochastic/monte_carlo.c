@@ -4,6 +4,7 @@
 #include "base/base_impl.h"
 #include "stochastic/block.h"
 #include "stochastic/certify.h"
+#include "stochastic/rare_event.h"
 #include "stochastic/reduced.h"
 
 #include <gsl/gsl_sort.h>
@@ -119,6 +120,7 @@ static pdmc_status allocate_samples(const pdmc_problem *problem, pdmc_results *r
     PDMC_NEW(results->failure, samples);
     PDMC_NEW(results->sample_solver, samples);
     PDMC_NEW(results->sample_fracture_energy, samples);
+    PDMC_NEW(results->growth_given_rest, samples * (size_t)results->tip_count);
     PDMC_NEW(results->stress_intensity, samples * 2 * (size_t)results->tip_count);
     for (int m = 0; m < PDMC_MEASURES; m++) PDMC_NEW(results->energy[m], samples * directions);
     PDMC_NEW(results->nominal_bond_energy, directions);
@@ -272,6 +274,7 @@ pdmc_status pdmc_monte_carlo(const pdmc_problem *problem, const pdmc_affine *mod
     PDMC_TRY(run_all(&r));
     if (is_reduced) PDMC_TRY(settle_doubts(&r, model));
     PDMC_TRY(summarise_accuracy(&r));
+    if (results->status == PDMC_RUN_COMPLETE) PDMC_TRY(pdmc_rare_event(&variables, r.model, model, options, results));
     for (int s = 0; s < results->sample_count; s++) results->failed_count += results->failure[s] != PDMC_SAMPLE_OK;
 done:
     pdmc_affine_clear(&reduced);

@@ -27,6 +27,7 @@ static pdmc_status allocate(pdmc_results *results)
     }
     PDMC_NEW(results->direction, directions);
     PDMC_NEW(results->probability, tips);
+    PDMC_NEW(results->conditional_probability, tips);
 done:
     return status;
 }
@@ -42,20 +43,44 @@ static size_t gather(const pdmc_results *results, int measure, size_t direction,
     return count;
 }
 
-static void summarise_direction(pdmc_results *results, int measure, size_t direction, double x[])
+// The replicates of the design; 0 where samples are independent. A design that samples have failed in is none: their places
+// in the replicates are empty. Its intervals are then those of independent samples, which are too wide rather than too narrow.
+static size_t replicates_of(const pdmc_results *results)
+{
+    return results->failed_count == 0 && results->replicates > 0.0 ? (size_t)results->replicates : 0;
+}
+
+static void find_moments(const pdmc_results *results, size_t count, const double x[], pdmc_estimate *mean,
+                         pdmc_estimate *deviation)
+{
+    const size_t replicates = replicates_of(results);
+    if (replicates > 0) pdmc_statistics_replicates_moments(count, x, replicates, results->confidence, mean, deviation);
+    else pdmc_statistics_moments(count, x, results->confidence, mean, deviation);
+}
+
+static pdmc_estimate find_quantile(const pdmc_results *results, size_t count, const double x[], const double sorted[],
+                                   double p)
+{
+    const size_t replicates = replicates_of(results);
+    return replicates > 0 ? pdmc_statistics_replicates_quantile(count, x, sorted, replicates, p, results->confidence)
+                          : pdmc_statistics_quantile(count, sorted, p, results->confidence);
+}
+
+// x, sorted: scratch, [samples] each
+static void summarise_direction(pdmc_results *results, int measure, size_t direction, double x[], double sorted[])
 {
     pdmc_energy_statistics *statistics = &results->statistics[measure];
-    const double confidence = results->confidence;
     const size_t bins = (size_t)results->histogram_bins, count = gather(results, measure, direction, x);
-    pdmc_statistics_moments(count, x, confidence, &statistics->mean[direction],
-                            &statistics->standard_deviation[direction]);
-    gsl_sort(x, 1, count);
+    find_moments(results, count, x, &statistics->mean[direction], &statistics->standard_deviation[direction]);
+    memcpy(sorted, x, count * sizeof *x);
+    gsl_sort(sorted, 1, count);
     for (int q = 0; q < PDMC_QUANTILES; q++)
         statistics->quantiles[direction * PDMC_QUANTILES + (size_t)q] =
-            pdmc_statistics_quantile(count, x, pdmc_quantile_levels[q], confidence);
-    pdmc_statistics_histogram(
-        count, x, results->histogram_bins, confidence, &statistics->histogram_edges[direction * (bins + 1)],
-        &statistics->histogram_counts[direction * (bins + 2)], &statistics->density[direction * bins]);
+            find_quantile(results, count, x, sorted, pdmc_quantile_levels[q]);
+    pdmc_statistics_histogram(count, sorted, results->histogram_bins, results->confidence,
+                              &statistics->histogram_edges[direction * (bins + 1)],
+                              &statistics->histogram_counts[direction * (bins + 2)],
+                              &statistics->density[direction * bins]);
 }
 
 // Adds one sample to the shares of its largest directions, and tells the largest energy.
@@ -70,27 +95,53 @@ static double share_largest(const double energy[], int angles, double share[])
     return largest;
 }
 
-static void summarise_tip(pdmc_results *results, int tip, double share[])
+// The share of the event among the samples that did not fail, with bounds for which a failed sample may have been either.
+static pdmc_estimate find_probability(const pdmc_results *results, const bool event[])
+{
+    const size_t samples = (size_t)results->sample_count, failed = (size_t)results->failed_count;
+    const double confidence = results->confidence;
+    const size_t replicates = replicates_of(results);
+    size_t hits = 0;
+    if (replicates > 0) return pdmc_statistics_replicates_proportion(samples, event, replicates, confidence);
+    for (size_t s = 0; s < samples; s++) hits += event[s];
+    return (pdmc_estimate){pdmc_statistics_proportion(hits, samples - failed, confidence).value,
+                           pdmc_statistics_proportion(hits, samples, confidence).lower,
+                           pdmc_statistics_proportion(hits + failed, samples, confidence).upper};
+}
+
+// x: scratch, [samples]
+static pdmc_estimate find_conditional(const pdmc_results *results, int tip, double x[])
+{
+    pdmc_estimate mean, deviation;
+    size_t count = 0;
+    for (int s = 0; s < results->sample_count; s++) {
+        const double given = results->growth_given_rest[s * results->tip_count + tip];
+        if (results->failure[s] == PDMC_SAMPLE_OK) x[count++] = given;
+        if (results->failure[s] == PDMC_SAMPLE_OK && isnan(given)) return (pdmc_estimate){NAN, NAN, NAN};
+    }
+    if (replicates_of(results) == 0) return pdmc_statistics_bounded_mean(count, x, results->confidence);
+    find_moments(results, count, x, &mean, &deviation);
+    return (pdmc_estimate){mean.value, fmax(mean.lower, 0.0), fmin(mean.upper, 1.0)};
+}
+
+static void summarise_tip(pdmc_results *results, int tip, double share[], bool event[], double x[])
 {
     const int angles = results->angle_count, tips = results->tip_count;
     const size_t samples = (size_t)results->sample_count, failed = (size_t)results->failed_count;
-    size_t hits = 0;
     memset(share, 0, (size_t)angles * sizeof *share);
     for (size_t s = 0; s < samples; s++) {
+        event[s] = false;
         if (results->failure[s] != PDMC_SAMPLE_OK) continue;
         const double *energy = &results->energy[results->measure][(s * (size_t)tips + (size_t)tip) * (size_t)angles];
-        hits += share_largest(energy, angles, share) > results->sample_fracture_energy[s];
+        event[s] = share_largest(energy, angles, share) > results->sample_fracture_energy[s];
     }
     for (int a = 0; a < angles; a++) {
         pdmc_estimate *direction = &results->direction[tip * angles + a];
         *direction = pdmc_statistics_proportion((size_t)lround(share[a]), samples - failed, results->confidence);
         direction->value = share[a] / (double)(samples - failed);
     }
-    // A failed sample may have been either.
-    pdmc_estimate *probability = &results->probability[tip];
-    *probability = pdmc_statistics_proportion(hits, samples - failed, results->confidence);
-    probability->lower = pdmc_statistics_proportion(hits, samples, results->confidence).lower;
-    probability->upper = pdmc_statistics_proportion(hits + failed, samples, results->confidence).upper;
+    results->probability[tip] = find_probability(results, event);
+    results->conditional_probability[tip] = find_conditional(results, tip, x);
 }
 
 pdmc_status pdmc_summarise(const pdmc_run_options *options, pdmc_results *results)
@@ -98,19 +149,23 @@ pdmc_status pdmc_summarise(const pdmc_run_options *options, pdmc_results *result
     pdmc_status status = PDMC_OK;
     const int directions = results->tip_count * results->angle_count;
     double *scratch = NULL, *share = NULL;
+    bool *event = NULL;
     const size_t samples = (size_t)results->sample_count;
     if (results->failed_count == results->sample_count)
         PDMC_FAIL(PDMC_ERR_DATA, "all %d samples failed: there is nothing to summarise", results->sample_count);
     PDMC_TRY(allocate(results));
-    PDMC_NEW(scratch, samples * (size_t)options->threads);
+    PDMC_NEW(scratch, 2 * samples * (size_t)options->threads);
+    PDMC_NEW(event, samples);
     PDMC_NEW(share, results->angle_count);
 #pragma omp parallel for schedule(static) num_threads(options->threads)
     for (int thread = 0; thread < options->threads; thread++)
         for (int i = thread; i < PDMC_MEASURES * directions; i += options->threads)
-            summarise_direction(results, i / directions, (size_t)(i % directions), &scratch[(size_t)thread * samples]);
-    for (int t = 0; t < results->tip_count; t++) summarise_tip(results, t, share);
+            summarise_direction(results, i / directions, (size_t)(i % directions),
+                                &scratch[2 * (size_t)thread * samples], &scratch[(2 * (size_t)thread + 1) * samples]);
+    for (int t = 0; t < results->tip_count; t++) summarise_tip(results, t, share, event, scratch);
 done:
     pdmc_free(scratch);
     pdmc_free(share);
+    pdmc_free(event);
     return status;
 }

@@ -42,7 +42,8 @@ static pdmc_status correlate_radius(pdmc_variables *v)
     const int bins = v->model->bins, modes = pdmc_variables_group(v, PDMC_QUANTITY_MICROMODULUS)->count;
     double retained;
     PDMC_NEW(v->radial_factor, bins * modes);
-    PDMC_TRY(pdmc_radial_modes(&process->covariance, v->problem->solver.horizon, bins, modes, v->radial_factor, &retained));
+    PDMC_TRY(
+        pdmc_radial_modes(&process->covariance, v->problem->solver.horizon, bins, modes, v->radial_factor, &retained));
 done:
     return status;
 }
@@ -58,6 +59,10 @@ pdmc_status pdmc_variables_create(const pdmc_problem *problem, const pdmc_affine
     pdmc_problem_correlation(problem, correlation);
     PDMC_TRY(pdmc_copula_factor(PDMC_SCALARS, correlation, out->copula));
     PDMC_TRY(correlate_radius(out));
+    if (problem->sampling.design != PDMC_DESIGN_MONTE_CARLO && out->count > 0)
+        PDMC_TRY(pdmc_design_create(problem->sampling.design, problem->sampling.seed, (size_t)out->count,
+                                    (uint64_t)problem->sampling.samples, (uint64_t)problem->sampling.replicates,
+                                    &out->design));
 done:
     if (status != PDMC_OK) pdmc_variables_clear(out);
     return status;
@@ -66,6 +71,7 @@ done:
 void pdmc_variables_clear(pdmc_variables *variables)
 {
     pdmc_free(variables->radial_factor);
+    pdmc_design_destroy(&variables->design);
     *variables = (pdmc_variables){0};
 }
 
@@ -76,14 +82,34 @@ const pdmc_variable_group *pdmc_variables_group(const pdmc_variables *variables,
     return NULL;
 }
 
-void pdmc_variables_sample(const pdmc_variables *variables, uint64_t sample, double z[])
+const pdmc_distribution *pdmc_variables_lone_load(const pdmc_variables *variables)
+{
+    const double negligible = 1e-12; // the probability of a negative load, whose energies are others
+    const pdmc_problem *problem = variables->problem;
+    const pdmc_uncertainty *load = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_LOAD);
+    if (!load || pdmc_problem_moves_sides(problem)) return NULL;
+    for (int k = 0; k < problem->correlation_count; k++)
+        if (problem->correlations[k].first == PDMC_QUANTITY_LOAD ||
+            problem->correlations[k].second == PDMC_QUANTITY_LOAD)
+            return NULL;
+    return pdmc_distribution_lower_tail(&load->law, 0.0) <= negligible ? &load->law : NULL;
+}
+
+static void sample_streams(const pdmc_variables *variables, uint64_t sample, double u[])
 {
     for (int g = 0; g < variables->group_count; g++) {
         const pdmc_variable_group *group = &variables->groups[g];
-        double *own = &z[group->first];
-        pdmc_random_uniform(variables->problem->sampling.seed, group->stream, sample, 0, (size_t)group->count, own);
-        for (int k = 0; k < group->count; k++) own[k] = pdmc_normal_quantile(own[k]);
+        pdmc_random_uniform(variables->problem->sampling.seed, group->stream, sample, 0, (size_t)group->count,
+                            &u[group->first]);
     }
+}
+
+void pdmc_variables_sample(const pdmc_variables *variables, uint64_t sample, double z[])
+{
+    const bool is_designed = variables->design && sample < (uint64_t)variables->problem->sampling.samples;
+    if (is_designed) pdmc_design_point(variables->design, sample, z);
+    else sample_streams(variables, sample, z);
+    for (int k = 0; k < variables->count; k++) z[k] = pdmc_normal_quantile(z[k]);
 }
 
 static void draw_scalars(const pdmc_variables *v, const double z[], pdmc_draw *draw)
@@ -112,7 +138,8 @@ static void draw_micromodulus(const pdmc_variables *v, const double z[], double 
     for (int b = 0; b < v->model->bins; b++) {
         double normal = 0.0;
         if (v->radial_factor)
-            for (int k = 0; k < group->count; k++) normal += v->radial_factor[b * group->count + k] * z[group->first + k];
+            for (int k = 0; k < group->count; k++)
+                normal += v->radial_factor[b * group->count + k] * z[group->first + k];
         else normal = z[group->first + b];
         micromodulus[b] += variation * normal;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "pdmc/design.h"
 #include "pdmc/random.h"
 #include "stochastic/draw.h"
 
@@ -19,6 +20,7 @@ typedef struct {
     pdmc_variable_group groups[PDMC_QUANTITIES];
     double copula[PDMC_SCALARS * PDMC_SCALARS]; // the factor of pdmc_copula_factor()
     double *radial_factor;                      // [bins, modes] of a radial process; NULL for noise
+    pdmc_design *design;                        // NULL for plain Monte Carlo
 } pdmc_variables;
 
 /// The draws of a block, with the arrays that they point to.
@@ -39,8 +41,12 @@ void pdmc_variables_clear(pdmc_variables *variables);
 /// The group of a quantity, or NULL where it is certain.
 const pdmc_variable_group *pdmc_variables_group(const pdmc_variables *variables, pdmc_quantity quantity);
 
-/// z of a sample of plain Monte Carlo: every quantity has its own stream, so that a quantity more or less in the study
-/// leaves the others as they are.
+/// The distribution of a positive load that depends on no other quantity and alone moves the plate, so that its part can be
+/// integrated analytically; NULL where there is none.
+const pdmc_distribution *pdmc_variables_lone_load(const pdmc_variables *variables);
+
+/// z of a sample. In plain Monte Carlo every quantity has its own stream, so that a quantity more or less in the study
+/// leaves the others as they are; in a design the samples from its number on are plain ones.
 /// @param[out] z  [count]
 void pdmc_variables_sample(const pdmc_variables *variables, uint64_t sample, double z[]);
 

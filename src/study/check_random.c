@@ -118,6 +118,10 @@ pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader)
 {
     const pdmc_problem *p = reader->problem;
     const pdmc_study_address at = {SECTION_SAMPLING, -1, "inverse"};
+    if (p->sampling.design != PDMC_DESIGN_MONTE_CARLO && p->sampling.samples % p->sampling.replicates != 0)
+        return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_SAMPLING, -1, "samples"},
+                                 "%d is not allowed, must be a multiple of the %d replicates of the design",
+                                 p->sampling.samples, p->sampling.replicates);
     const bool is_reduced = p->sampling.inverse == PDMC_INVERSE_REDUCED;
     if (p->sampling.inverse != PDMC_INVERSE_KRYLOV && !is_reduced) return PDMC_OK;
     if (p->solver.method != PDMC_METHOD_BOND)

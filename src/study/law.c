@@ -60,8 +60,8 @@ static pdmc_status law_by_moments(const pdmc_study_reader *reader, int index)
         u->given.value[PDMC_PARAMETER_VARIATION] = default_variation;
     }
     const double mean = parameter(u, PDMC_PARAMETER_MEAN, pdmc_problem_nominal(reader->problem, u->quantity));
-    const pdmc_status status = pdmc_distribution_by_moments(
-        u->distribution, mean, u->given.value[PDMC_PARAMETER_VARIATION], &u->law);
+    const pdmc_status status =
+        pdmc_distribution_by_moments(u->distribution, mean, u->given.value[PDMC_PARAMETER_VARIATION], &u->law);
     if (status == PDMC_OK) return PDMC_OK;
     return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "variation"}, "%s", pdmc_last_error());
 }

@@ -97,10 +97,9 @@ static void write_reals(const writer *w, const pdmc_study_setting *s, const void
 }
 
 static write_function *const writers[KINDS] = {
-    [KIND_REAL] = write_real, [KIND_OPTIONAL] = write_real, [KIND_PAIR] = write_pair,
-    [KIND_INT] = write_int,   [KIND_SEED] = write_seed,     [KIND_TEXT] = write_text,
-    [KIND_NAME] = write_name, [KIND_CHOICE] = write_choice, [KIND_TIPS] = write_tips,
-    [KIND_REALS] = write_reals,
+    [KIND_REAL] = write_real, [KIND_OPTIONAL] = write_real, [KIND_PAIR] = write_pair, [KIND_INT] = write_int,
+    [KIND_SEED] = write_seed, [KIND_TEXT] = write_text,     [KIND_NAME] = write_name, [KIND_CHOICE] = write_choice,
+    [KIND_TIPS] = write_tips, [KIND_REALS] = write_reals,
 };
 
 static bool is_present(const pdmc_study_setting *s, const char *base)

@@ -61,6 +61,8 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
                               .check = pdmc_study_check_correlations},
     [SECTION_SAMPLING] = {.name = "sampling", .doc = "the Monte Carlo simulation", OF(PDMC_STATIC),
                           .check = pdmc_study_check_sampling},
+    [SECTION_RELIABILITY] = {.name = "reliability", OF(PDMC_STATIC),
+                             .doc = "the probability that any tip grows, where it is rare, and what it comes from"},
     [SECTION_ENERGY] = {.name = "energy", .doc = "the energy release rates that are asked for",
                         OF(PDMC_STATIC), .check = pdmc_study_check_energy},
 };
@@ -81,6 +83,8 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define SWITCH CHOICES("off", "on")
 #define STENCILS CHOICES("imq", "polyharmonic")
 #define INVERSES CHOICES("direct", "neumann", "krylov", "reduced")
+#define DESIGNS CHOICES("monte_carlo", "latin_hypercube", "sobol")
+#define RARE_METHODS CHOICES("none", "importance", "subset", "both")
 #define LINES CHOICES("point", "segment")
 #define BONDS CHOICES("all", "tensile")
 #define MEASURES CHOICES("bond", "griffith")
@@ -248,6 +252,11 @@ const pdmc_study_setting pdmc_study_settings[] = {
 
     {SECTION_SAMPLING, "samples", KIND_INT, .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.samples),
      .fallback = "1000", .doc = "a smaller number is a prefix of a larger one"},
+    {SECTION_SAMPLING, "design", KIND_CHOICE, .offset = IN_PROBLEM(sampling.design), .choices = DESIGNS,
+     .fallback = "monte_carlo",
+     .doc = "independent samples, or replicates of a Latin hypercube or of a scrambled Sobol' sequence, which need fewer"},
+    {SECTION_SAMPLING, "replicates", KIND_INT, .range = FROM_TO(3, 1024), .offset = IN_PROBLEM(sampling.replicates),
+     .fallback = "16", .doc = "independent parts of a design, whose spread gives the intervals"},
     {SECTION_SAMPLING, "inverse", KIND_CHOICE, .offset = IN_PROBLEM(sampling.inverse), .choices = INVERSES,
      .fallback = "neumann",
      .doc = "how each sample is solved: by its own factorisation; round that of the mean by the Neumann expansion or by "
@@ -259,6 +268,17 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_SAMPLING, "energy_tolerance", KIND_REAL, .range = {0.0, 0.1, true},
      .offset = IN_PROBLEM(sampling.energy_tolerance), .fallback = "1e-3",
      .doc = "of the relative error of a sample's largest energy, of inverse = \"reduced\""},
+
+    {SECTION_RELIABILITY, "method", KIND_CHOICE, .offset = IN_PROBLEM(reliability.method), .choices = RARE_METHODS,
+     .fallback = "none",
+     .doc = "importance sampling at the design point, which is found first; subset simulation; or both, to compare"},
+    {SECTION_RELIABILITY, "variation", KIND_REAL, .range = {0.0, 1.0, true}, .offset = IN_PROBLEM(reliability.variation),
+     .fallback = "0.05", .doc = "coefficient of variation of the probability at which sampling stops"},
+    {SECTION_RELIABILITY, "evaluations", KIND_INT, .range = FROM_TO(1000, 1000000000),
+     .offset = IN_PROBLEM(reliability.evaluations), .fallback = "1000000", .doc = "at most, of each method"},
+    {SECTION_RELIABILITY, "sensitivity", KIND_INT, .range = FROM_TO(0, 10000000),
+     .offset = IN_PROBLEM(reliability.sensitivity), .fallback = "0",
+     .doc = "samples of the Sobol' indices of log G / G_c, each solved once and once more for every quantity; 0 for none"},
 
     {SECTION_ENERGY, "tips", KIND_TIPS, .offset = NOT_STORED, .fallback = "all tips",
      .doc = "[\"<crack>.from\", \"<crack>.to\", ...]"},
@@ -289,7 +309,8 @@ _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == si
                    sizeof(pdmc_face) == sizeof(int) && sizeof(pdmc_method) == sizeof(int) &&
                    sizeof(pdmc_bond_area) == sizeof(int) && sizeof(pdmc_bond_micromodulus) == sizeof(int) &&
                    sizeof(pdmc_energy_line) == sizeof(int) && sizeof(pdmc_radial_model) == sizeof(int) &&
-                   sizeof(pdmc_covariance_kind) == sizeof(int),
+                   sizeof(pdmc_covariance_kind) == sizeof(int) && sizeof(pdmc_design_kind) == sizeof(int) &&
+                   sizeof(pdmc_rare_method) == sizeof(int),
                "enumerations of another size");
 
 pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem)

@@ -64,6 +64,7 @@ typedef enum {
     SECTION_RANDOM,
     SECTION_CORRELATIONS,
     SECTION_SAMPLING,
+    SECTION_RELIABILITY,
     SECTION_ENERGY,
     SECTIONS
 } pdmc_study_section_id;

@@ -159,8 +159,7 @@ static pdmc_status read_choice(const pdmc_study_record *r, const pdmc_study_sett
 
 static pdmc_status read_tips(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value)
 {
-    if (value && !is_sequence(value))
-        return pdmc_study_refuse_kind(r, s, value);
+    if (value && !is_sequence(value)) return pdmc_study_refuse_kind(r, s, value);
     return pdmc_study_parse_tips(r->reader, pdmc_study_address_of(r, s), value);
 }
 
@@ -183,10 +182,9 @@ static pdmc_status read_reals(const pdmc_study_record *r, const pdmc_study_setti
 }
 
 static read_function *const readers[KINDS] = {
-    [KIND_REAL] = read_real, [KIND_OPTIONAL] = read_optional, [KIND_PAIR] = read_pair,
-    [KIND_INT] = read_int,   [KIND_SEED] = read_seed,         [KIND_TEXT] = read_text,
-    [KIND_NAME] = read_name, [KIND_CHOICE] = read_choice,     [KIND_TIPS] = read_tips,
-    [KIND_REALS] = read_reals,
+    [KIND_REAL] = read_real, [KIND_OPTIONAL] = read_optional, [KIND_PAIR] = read_pair, [KIND_INT] = read_int,
+    [KIND_SEED] = read_seed, [KIND_TEXT] = read_text,         [KIND_NAME] = read_name, [KIND_CHOICE] = read_choice,
+    [KIND_TIPS] = read_tips, [KIND_REALS] = read_reals,
 };
 
 pdmc_status pdmc_study_read_value(const pdmc_study_record *r, const pdmc_study_setting *s,

@@ -93,6 +93,8 @@ static json_t *tips(const pdmc_results *r)
             pdmc_json_put(&object, pdmc_measure_names[m], energy(r, t, &r->statistics[m]));
         pdmc_json_put(&object, "direction", direction(r, t));
         pdmc_json_put(&object, "probability", pdmc_json_estimate(&r->probability[t]));
+        if (r->conditional_probability)
+            pdmc_json_put(&object, "conditional_probability", pdmc_json_estimate(&r->conditional_probability[t]));
         pdmc_json_append(&array, object);
     }
     return array;
@@ -181,6 +183,7 @@ static json_t *everything(const pdmc_results *r)
     pdmc_json_put(&object, "tips", tips(r));
     if (r->kind == PDMC_DYNAMIC) pdmc_json_put(&object, "motion", motion(r));
     pdmc_json_put(&object, "solver", solver(&r->solver));
+    if (r->reliability.group_count > 0) pdmc_json_put(&object, "reliability", pdmc_json_reliability(&r->reliability));
     if (r->kind == PDMC_STATIC) pdmc_json_put(&object, "accuracy", accuracy(&r->accuracy));
     pdmc_json_put(&object, "runtime", pdmc_json_runtime(&r->runtime));
     return object;

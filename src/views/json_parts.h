@@ -27,6 +27,9 @@ json_t *pdmc_json_seed(uint64_t seed);
 /// Value, lower and upper.
 json_t *pdmc_json_estimate(const pdmc_estimate *estimate);
 
+/// What was found of rare growth.
+json_t *pdmc_json_reliability(const pdmc_reliability_results *reliability);
+
 /// Seconds, threads and memory.
 json_t *pdmc_json_runtime(const pdmc_runtime *t);
 

@@ -117,6 +117,16 @@ static void print_energy(const pdmc_results *r, pdmc_measure measure, int tip, d
             pdmc_brief(n[7], quantiles[2].value / scale));
 }
 
+// The same samples with the load integrated: a narrower interval where growth is rare.
+static void print_conditional(const pdmc_results *r, int tip, FILE *stream)
+{
+    char n[3][PDMC_BRIEF_SIZE];
+    if (!r->conditional_probability || isnan(r->conditional_probability[tip].value)) return;
+    const pdmc_estimate *p = &r->conditional_probability[tip];
+    fprintf(stream, "  P(G > G_c) = %s [%s, %s] with the load integrated analytically\n", pdmc_brief(n[0], p->value),
+            pdmc_brief(n[1], p->lower), pdmc_brief(n[2], p->upper));
+}
+
 static void print_energies(const pdmc_results *r, int tip, FILE *stream)
 {
     static const double turns[] = {0.0, 45.0, -45.0, 90.0, -90.0}; // from straight ahead, degrees
@@ -128,6 +138,7 @@ static void print_energies(const pdmc_results *r, int tip, FILE *stream)
     else snprintf(scaled, sizeof scaled, "%.0e %s", scale, unit);
     fprintf(stream, "  P(G > G_c) = %s [%s, %s]\n", pdmc_brief(n[0], p->value), pdmc_brief(n[1], p->lower),
             pdmc_brief(n[2], p->upper));
+    print_conditional(r, tip, stream);
     if (r->angle_count == 0) return;
     print_directions(r, tip, stream);
     fprintf(stream, "  %-9.9s turn  angle  nominal     mean %21s       sd      5 %%     50 %%     95 %%\n",
@@ -188,6 +199,7 @@ pdmc_status pdmc_view_table(const pdmc_results *results, FILE *stream)
         print_tip(results, &results->tips[t], stream);
         print_energies(results, t, stream);
     }
+    pdmc_table_reliability(results, stream);
     print_foot(results, stream);
     pdmc_locale_restore(&locale);
     if (fflush(stream) != 0 || ferror(stream)) return pdmc_raise(PDMC_ERR_IO, "the table cannot be written");

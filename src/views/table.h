@@ -13,5 +13,8 @@ const char *pdmc_brief(char text[PDMC_BRIEF_SIZE], double x);
 /// A text of the results as part of one line: what would move the cursor of a terminal becomes a space.
 const char *pdmc_one_line(char text[PDMC_LINE_SIZE], const char *from);
 
+/// Rare growth, where it was asked for.
+void pdmc_table_reliability(const pdmc_results *results, FILE *stream);
+
 /// What a dynamic study has: its last state, its probes, and the balance of its energy.
 void pdmc_table_motion(const pdmc_results *r, FILE *stream);

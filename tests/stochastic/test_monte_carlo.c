@@ -187,7 +187,7 @@ static void a_bad_sample_is_counted_not_fatal(void **state)
         assert_int_equal(r.failure[s], is_singular ? PDMC_SAMPLE_SINGULAR : PDMC_SAMPLE_OK);
         assert_int_equal(is_singular, isnan(r.energy[PDMC_MEASURE_BOND][s * ANGLES + 3]) != 0);
         failed += is_singular;
-        hits += !is_singular && pdmc_griffith_energy(0.0, &r.stress_intensity[2 * s], 1.0) > 1.0;
+        hits += !is_singular && r.energy[PDMC_MEASURE_BOND][s * ANGLES + 3] > 1.0;
     }
     assert_true(failed > 0 && failed < 40); // 1.1 % of 1000
     assert_int_equal(r.failed_count, failed);

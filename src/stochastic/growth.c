@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stochastic/growth.h"
+
+#include "base/base_impl.h"
+#include "stochastic/certify.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+
+enum { B = PDMC_BLOCK };
+
+// Where nothing drives the crack, or nothing holds it.
+static const double certain = 50.0;
+
+pdmc_status pdmc_growth_create(const pdmc_variables *variables, const pdmc_affine *model, const pdmc_affine *full,
+                               const pdmc_run_options *options, pdmc_results *results, pdmc_growth *growth)
+{
+    pdmc_status status = PDMC_OK;
+    *growth =
+        (pdmc_growth){.variables = variables, .model = model, .full = full, .options = options, .results = results};
+    PDMC_NEW(growth->block, options->threads);
+    PDMC_NEW(growth->full_block, options->threads);
+    for (int t = 0; t < options->threads; t++) {
+        PDMC_TRY(pdmc_block_create(variables, model, &growth->block[t]));
+        if (full != model) PDMC_TRY(pdmc_block_create(variables, full, &growth->full_block[t]));
+    }
+done:
+    return status;
+}
+
+void pdmc_growth_clear(pdmc_growth *growth)
+{
+    for (int t = 0; growth->block && growth->full_block && t < growth->options->threads; t++) {
+        pdmc_block_destroy(&growth->block[t]);
+        pdmc_block_destroy(&growth->full_block[t]);
+    }
+    pdmc_free(growth->block);
+    pdmc_free(growth->full_block);
+    *growth = (pdmc_growth){0};
+}
+
+double pdmc_growth_of(const pdmc_block *block, int s, const pdmc_results *results)
+{
+    const double toughness = pdmc_draw_fracture_energy(&block->drawn.draw[s]);
+    double largest = 0.0;
+    if (block->failure[s] != PDMC_SAMPLE_OK) return NAN;
+    for (int t = 0; t < results->tip_count; t++)
+        largest = fmax(largest, pdmc_block_largest_energy(block, s, t, results));
+    if (toughness <= 0.0) return certain;
+    if (largest <= 0.0) return -certain;
+    return fmax(-certain, fmin(certain, log(largest / toughness)));
+}
+
+// The event hangs on the sign of g alone: within its bound, (1 +- delta / sqrt(G))^2, a reduced answer does not tell it.
+static bool is_in_doubt(const pdmc_growth *growth, const pdmc_block *block, int s, double g)
+{
+    if (isnan(block->error[s]) || isnan(g)) return false;
+    const pdmc_measure measure = block->problem->energy.measure;
+    const double delta = pdmc_certify_root_energy(block->problem, block->model, growth->results, &block->drawn.draw[s],
+                                                  measure, block->error[s]);
+    const double toughness = pdmc_draw_fracture_energy(&block->drawn.draw[s]);
+    return fabs(exp(0.5 * g) - 1.0) * sqrt(fmax(toughness, 0.0)) <= delta;
+}
+
+static pdmc_status solve_block(pdmc_growth *growth, pdmc_block *block, int count, const double z[], double g[],
+                               bool doubt[])
+{
+    pdmc_status status = pdmc_block_draw_points(block, z, count);
+    if (status == PDMC_OK) status = pdmc_block_solve(block, count);
+    if (status != PDMC_OK) return status;
+    pdmc_block_measure(block);
+    for (int s = 0; s < count; s++) {
+        g[s] = pdmc_growth_of(block, s, growth->results);
+        doubt[s] = is_in_doubt(growth, block, s, g[s]);
+    }
+    return PDMC_OK;
+}
+
+// The points in doubt of a block, side by side on the full model.
+static pdmc_status solve_in_full(pdmc_growth *growth, pdmc_block *block, int count, const double z[],
+                                 const bool doubt[], double g[])
+{
+    pdmc_status status = PDMC_OK;
+    const int variables = growth->variables->count;
+    int found = 0, place[B];
+    double *point = NULL;
+    PDMC_NEW(point, B * variables);
+    for (int s = 0; s < count; s++) {
+        if (!doubt[s]) continue;
+        for (int k = 0; k < variables; k++) point[found * variables + k] = z[s * variables + k];
+        place[found++] = s;
+    }
+    PDMC_TRY(pdmc_block_draw_points(block, point, found));
+    PDMC_TRY(pdmc_block_solve_by(block, PDMC_INVERSE_KRYLOV, found));
+    pdmc_block_measure(block);
+    for (int k = 0; k < found; k++) g[place[k]] = pdmc_growth_of(block, k, growth->results);
+#pragma omp atomic
+    growth->solved_in_full += found;
+done:
+    pdmc_free(point);
+    return status;
+}
+
+static pdmc_status evaluate_block(pdmc_growth *growth, int thread, int count, const double z[], double g[])
+{
+    bool doubt[B] = {false}, any = false;
+    pdmc_status status = solve_block(growth, growth->block[thread], count, z, g, doubt);
+    for (int s = 0; s < count; s++) any = any || doubt[s];
+    if (status == PDMC_OK && any) status = solve_in_full(growth, growth->full_block[thread], count, z, doubt, g);
+    return status;
+}
+
+static pdmc_status evaluate(void *context, int count, const double z[], double g[])
+{
+    pdmc_growth *growth = context;
+    const pdmc_run_options *options = growth->options;
+    const int blocks = (count + B - 1) / B, variables = growth->variables->count;
+    const int samples = growth->results->sample_count;
+    pdmc_status status = PDMC_OK;
+    char message[512] = "";
+    if (options->progress && !options->progress(options->context, samples, samples))
+        return pdmc_raise(PDMC_ERR_INTERRUPTED, "stopped during the search for rare growth");
+#pragma omp parallel num_threads(options->threads)
+    {
+#pragma omp for schedule(dynamic)
+        for (int b = 0; b < blocks; b++) {
+            const int first = b * B, size = count - first < B ? count - first : B;
+            const pdmc_status mine =
+                evaluate_block(growth, omp_get_thread_num(), size, &z[(size_t)first * (size_t)variables], &g[first]);
+            if (mine == PDMC_OK) continue;
+#pragma omp critical(pdmc_growth)
+            {
+                status = mine;
+                snprintf(message, sizeof message, "%s", pdmc_last_error());
+            }
+        }
+    }
+    return status == PDMC_OK ? PDMC_OK : pdmc_raise(status, "%s", message);
+}
+
+pdmc_limit_state pdmc_growth_limit(pdmc_growth *growth)
+{
+    return (pdmc_limit_state){growth->variables->count, evaluate, growth};
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stochastic/rare_event.h"
+
+#include "base/base_impl.h"
+#include "stochastic/growth.h"
+
+#include <math.h>
+#include <stdio.h>
+
+// Sampling at the design point and around the origin: what a single point misses is then seen, if only dimly.
+enum { CENTRES = 2 };
+
+static const char *quantity_name(pdmc_quantity quantity)
+{
+    static const char *const names[PDMC_QUANTITIES] = {
+        [PDMC_QUANTITY_MICROMODULUS] = "micromodulus",
+        [PDMC_QUANTITY_STIFFNESS] = "stiffness",
+        [PDMC_QUANTITY_LOAD] = "load",
+        [PDMC_QUANTITY_YOUNGS_MODULUS] = "youngs_modulus",
+        [PDMC_QUANTITY_FRACTURE_ENERGY] = "fracture_energy",
+        [PDMC_QUANTITY_THICKNESS] = "thickness",
+    };
+    return names[quantity];
+}
+
+static pdmc_status describe_groups(const pdmc_variables *variables, pdmc_reliability_results *r)
+{
+    pdmc_status status = PDMC_OK;
+    PDMC_NEW(r->groups, variables->group_count);
+    r->group_count = variables->group_count;
+    for (int g = 0; g < r->group_count; g++) {
+        const pdmc_variable_group *group = &variables->groups[g];
+        pdmc_reliability_group *out = &r->groups[g];
+        *out = (pdmc_reliability_group){.variables = group->count, .importance = NAN};
+        out->first = out->total = (pdmc_estimate){NAN, NAN, NAN};
+        snprintf(out->name, sizeof out->name, "%s", quantity_name(group->quantity));
+    }
+done:
+    return status;
+}
+
+static void add_record(pdmc_reliability_results *r, const char *name, const pdmc_reliability *found)
+{
+    pdmc_reliability_record *record = &r->records[r->record_count++];
+    snprintf(record->name, sizeof record->name, "%s", name);
+    record->found = *found;
+    record->evaluations = (double)found->evaluations;
+    record->failed = (double)found->failed;
+    record->complete = found->converged;
+}
+
+static void store_point(const pdmc_variables *variables, const pdmc_first_order *point, pdmc_reliability_results *r)
+{
+    for (int g = 0; g < r->group_count; g++) {
+        const pdmc_variable_group *group = &variables->groups[g];
+        r->groups[g].importance = 0.0;
+        for (int k = group->first; k < group->first + group->count; k++)
+            r->groups[g].importance += point->importance[k];
+    }
+    for (int k = 0; k < point->dimension; k++) r->design_point[k] = point->z[k];
+    r->first_order_index = point->index;
+    r->first_order_probability = point->probability;
+    r->first_order_evaluations = (double)point->evaluations;
+}
+
+static pdmc_status sample_at_point(const pdmc_variables *variables, const pdmc_limit_state *limit, double confidence,
+                                   pdmc_reliability_results *r)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_reliability_request *request = &variables->problem->reliability;
+    const pdmc_first_order_options search = pdmc_first_order_options_default();
+    pdmc_importance_options options = pdmc_importance_options_default();
+    pdmc_first_order point = {0};
+    pdmc_reliability found;
+    double *centre = NULL;
+    PDMC_NEW(centre, CENTRES * variables->count);
+    PDMC_TRY(pdmc_first_order_find(limit, &search, &point));
+    store_point(variables, &point, r);
+    for (int k = 0; k < variables->count; k++) centre[k] = point.z[k];
+    options.seed = variables->problem->sampling.seed;
+    options.confidence = confidence;
+    options.variation = request->variation;
+    options.most_evaluations = request->evaluations;
+    PDMC_TRY(pdmc_importance_sampling(limit, CENTRES, centre, &options, &found));
+    add_record(r, "importance sampling", &found);
+done:
+    pdmc_first_order_clear(&point);
+    pdmc_free(centre);
+    return status;
+}
+
+static pdmc_status sample_by_subsets(const pdmc_variables *variables, const pdmc_limit_state *limit, double confidence,
+                                     pdmc_reliability_results *r)
+{
+    pdmc_subset_options options = pdmc_subset_options_default();
+    pdmc_reliability found;
+    options.seed = variables->problem->sampling.seed;
+    options.confidence = confidence;
+    options.variation = variables->problem->reliability.variation;
+    options.most_evaluations = variables->problem->reliability.evaluations;
+    const pdmc_status status = pdmc_subset_simulation(limit, &options, &found);
+    if (status == PDMC_OK) add_record(r, "subset simulation", &found);
+    return status;
+}
+
+static pdmc_status find_sensitivity(const pdmc_variables *variables, const pdmc_limit_state *limit, double confidence,
+                                    pdmc_reliability_results *r)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_sensitivity sensitivity = {0};
+    const pdmc_sensitivity_options options = {variables->problem->sampling.seed, confidence,
+                                              variables->problem->reliability.sensitivity};
+    int *group = NULL;
+    PDMC_NEW(group, variables->count);
+    for (int g = 0; g < variables->group_count; g++)
+        for (int k = 0; k < variables->groups[g].count; k++) group[variables->groups[g].first + k] = g;
+    PDMC_TRY(pdmc_sensitivity_find(limit, variables->group_count, group, &options, &sensitivity));
+    for (int g = 0; g < variables->group_count; g++) {
+        r->groups[g].first = sensitivity.first[g];
+        r->groups[g].total = sensitivity.total[g];
+    }
+done:
+    pdmc_sensitivity_clear(&sensitivity);
+    pdmc_free(group);
+    return status;
+}
+
+static pdmc_status find_all(const pdmc_variables *variables, const pdmc_limit_state *limit, double confidence,
+                            pdmc_reliability_results *r)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_reliability_request *request = &variables->problem->reliability;
+    if (request->method == PDMC_RARE_IMPORTANCE || request->method == PDMC_RARE_BOTH)
+        PDMC_TRY(sample_at_point(variables, limit, confidence, r));
+    if (request->method == PDMC_RARE_SUBSET || request->method == PDMC_RARE_BOTH)
+        PDMC_TRY(sample_by_subsets(variables, limit, confidence, r));
+    if (request->sensitivity > 0) PDMC_TRY(find_sensitivity(variables, limit, confidence, r));
+done:
+    return status;
+}
+
+pdmc_status pdmc_rare_event(const pdmc_variables *variables, const pdmc_affine *model, const pdmc_affine *full,
+                            const pdmc_run_options *options, pdmc_results *results)
+{
+    enum { METHODS = 2 };
+    pdmc_status status = PDMC_OK;
+    const pdmc_reliability_request *request = &variables->problem->reliability;
+    pdmc_reliability_results *r = &results->reliability;
+    pdmc_growth growth = {0};
+    const double begin = pdmc_seconds();
+    r->first_order_index = r->first_order_probability = r->first_order_evaluations = NAN;
+    if (variables->count == 0 || (request->method == PDMC_RARE_NONE && request->sensitivity == 0)) return PDMC_OK;
+    PDMC_TRY(describe_groups(variables, r));
+    PDMC_NEW(r->records, METHODS);
+    PDMC_NEW(r->design_point, variables->count);
+    r->variable_count = variables->count;
+    PDMC_TRY(pdmc_growth_create(variables, model, full, options, results, &growth));
+    const pdmc_limit_state limit = pdmc_growth_limit(&growth);
+    status = find_all(variables, &limit, results->confidence, r);
+    if (status == PDMC_ERR_INTERRUPTED) {
+        results->status = PDMC_RUN_INTERRUPTED;
+        status = PDMC_OK;
+    }
+    results->runtime.reliability = pdmc_seconds() - begin;
+    r->solved_in_full = (double)growth.solved_in_full;
+done:
+    pdmc_growth_clear(&growth);
+    return status;
+}
