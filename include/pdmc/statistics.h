@@ -42,8 +42,8 @@ PDMC_API pdmc_estimate pdmc_statistics_proportion(size_t hits, size_t n, double 
 
 /// The mean of values in [0, 1], such as probabilities given a part of what is random, with an interval for skewed
 /// samples: that of Student's T made symmetric by T + a T^2 / 3 + a^2 T^3 / 27 + a / 6, a = skewness / sqrt(n) (Hall
-/// 1992), cut to [0, 1]. Its misses are more even on both sides than those of Student's interval, and fewer; figures are in
-/// src/statistics/README.md. Of zeros alone the upper bound is that of pdmc_statistics_proportion(), since the mean is
+/// 1992), cut to [0, 1]. Its misses are more even on both sides than those of Student's interval, and fewer; figures are
+/// in src/statistics/README.md. Of zeros alone the upper bound is that of pdmc_statistics_proportion(), since the mean is
 /// no more than the probability of a value above 0. Without spread else, the interval has no width.
 /// @param[in] n  number of samples; NaN is what too few cannot tell, as in pdmc_statistics_moments()
 /// @param[in] x  [n] in [0, 1]

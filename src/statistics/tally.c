@@ -91,6 +91,7 @@ static void sum_powers(size_t count, const double x[], double shift, double scal
     }
 }
 
+LONGEST_VECTORS
 static size_t count_above(size_t count, const double x[], double threshold)
 {
     size_t above = 0;

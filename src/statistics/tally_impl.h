@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-/// The bins of a tally: the leading BIN_BITS of a double, with sign and exponent changed so that they are in the order of
+/// The bins of a tally: the leading bits of a double, with sign and exponent changed so that they are in the order of
 /// the numbers. Bins of one sign and exponent are a page, which exists where it has been needed.
 enum {
     TALLY_FRACTION_BITS = 11,
