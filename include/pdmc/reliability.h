@@ -14,12 +14,12 @@ typedef struct {
     pdmc_estimate index;       // reliability index -Phi^-1(P), with the bounds of P
     double variation;          // coefficient of variation of the estimate of P; NaN where no event was seen
     double effective_samples;  // (sum x)^2 / sum x^2 of what is averaged: weights of events, or runs
-    double largest_share;      // max x / sum x: near 1, the estimate hangs on a single weight or run
+    double largest_share;      // max x^2 / sum x^2: near 1, value and interval hang on a single weight or run
     long evaluations;          // of g
     long failed;               // of these, NaN
     int levels;                // intermediate ones, of subset simulation
     bool reached;              // subset simulation came to the event; importance sampling saw it
-    bool converged;            // the variation asked for was met
+    bool converged;            // the variation asked for was met, and no weight has too large a share
 } pdmc_reliability;
 
 typedef struct {
@@ -73,7 +73,8 @@ PDMC_API pdmc_importance_options pdmc_importance_options_default(void);
 /// The centres are the design points known; the origin may be one, and alone it is plain Monte Carlo. An event away from all
 /// of them is missed, and the interval does not know: compare with subset simulation.
 ///
-/// The interval is Student's with Hall's (1992) correction of the skewness. Where less than 10 effective samples were seen it
+/// The interval is Student's with Hall's (1992) correction of the skewness. Sampling goes on too while one weight has more than 5 %
+/// of the sum of squares, since the variance is not known then: a result that is not converged is to be believed less. Where less than 10 effective samples were seen it
 /// is [0, b], with b the most that a set can have by the Neyman-Pearson lemma whose share of the samples is no more than
 /// Clopper and Pearson's bound: it holds whatever the weights.
 /// @param[in] centres  >= 1

@@ -40,6 +40,11 @@ double pdmc_average_effective(const pdmc_average *average)
     return average->positive > 0 ? average->sum * average->sum / average->squares : 0.0;
 }
 
+double pdmc_average_largest_share(const pdmc_average *average)
+{
+    return average->largest * average->largest / average->squares;
+}
+
 static double skewness(const pdmc_average *average)
 {
     const double n = (double)average->count, mean = average->sum / n, spread = variance(average);
@@ -71,7 +76,7 @@ void pdmc_average_report(const pdmc_average *events, const pdmc_average *possibl
     result->probability.upper = fmin(1.0, pdmc_average_interval(possible, confidence).upper);
     result->variation = pdmc_average_variation(events);
     result->effective_samples = pdmc_average_effective(events);
-    result->largest_share = events->largest * events->largest / events->squares;
+    result->largest_share = pdmc_average_largest_share(events);
     if (events->positive == 0) result->probability.value = NAN;
     if (possible->positive == 0) result->probability.upper = 1.0;
 }

@@ -22,6 +22,9 @@ double pdmc_average_variation(const pdmc_average *average);
 /// (sum x)^2 / sum x^2; 0 where all are 0.
 double pdmc_average_effective(const pdmc_average *average);
 
+/// max x^2 / sum x^2; NaN where all are 0.
+double pdmc_average_largest_share(const pdmc_average *average);
+
 /// The mean's interval after Hall (1992): with T = (mean - mu) / s, n values and their skewness k,
 ///     T + k T^2 / 3 + k^2 T^3 / 27 + k / (6 n)
 /// is without skewness to second order, and increases with T. It is taken to have Student's quantiles / sqrt(n). [0, inf] with

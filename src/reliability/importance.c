@@ -77,14 +77,10 @@ static double most_probable(const sampling *s, double share)
     return most;
 }
 
-static double heaviest(const pdmc_average *average)
-{
-    return average->largest * average->largest / average->squares;
-}
-
 static bool settled(const sampling *s)
 {
-    return pdmc_average_variation(&s->events) <= s->options->variation && heaviest(&s->events) <= heaviest_share;
+    return pdmc_average_variation(&s->events) <= s->options->variation &&
+           pdmc_average_largest_share(&s->events) <= heaviest_share;
 }
 
 static void report(const sampling *s, pdmc_reliability *result)

@@ -99,6 +99,19 @@ static void what_is_not_reached_has_an_upper_bound(void **state)
     assert_true(r.probability.upper > 0.7e-5 && r.probability.upper < 2e-5);
 }
 
+/// Ten samples of a run are in the event, which is less than a level's share: they are counted, and not relied upon.
+static void what_is_hardly_reached_has_no_lower_bound(void **state)
+{
+    (void)state;
+    pdmc_subset_options options = pdmc_subset_options_default();
+    options.most_levels = 2;
+    known_state rare = {.dimension = 3, .g = plane, .parameter = {gsl_cdf_ugaussian_Qinv(1e-4)}};
+    const pdmc_reliability r = simulate(&rare, &options);
+    assert_true(!r.reached && !r.converged && r.probability.lower == 0.0);
+    CHECK_NEAR(r.probability.value, 1e-4, 3.5 * 1.2 * r.variation * 1e-4);
+    assert_true(r.probability.upper > 0.7e-2 && r.probability.upper < 2e-2);
+}
+
 static double stairs(const double parameter[], int n, const double z[])
 {
     const double g = plane(parameter, n, z);
@@ -237,6 +250,7 @@ int main(void)
         cmocka_unit_test(curved_surfaces_and_systems),
         cmocka_unit_test(a_missed_design_point_is_seen),
         cmocka_unit_test(what_is_not_reached_has_an_upper_bound),
+        cmocka_unit_test(what_is_hardly_reached_has_no_lower_bound),
         cmocka_unit_test(steps_of_g),
         cmocka_unit_test(a_flat_g_is_not_reached),
         cmocka_unit_test(unsolved_points_widen_the_interval),
