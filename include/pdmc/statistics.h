@@ -42,9 +42,9 @@ PDMC_API pdmc_estimate pdmc_statistics_proportion(size_t hits, size_t n, double 
 
 /// The mean of values in [0, 1], such as probabilities given a part of what is random, with an interval for skewed
 /// samples: that of Student's T made symmetric by T + a T^2 / 3 + a^2 T^3 / 27 + a / 6, a = skewness / sqrt(n) (Hall
-/// 1992), cut to [0, 1]. Its misses are more even on both sides than those of Student's interval, and fewer; figures are
-/// in src/statistics/README.md. Of zeros alone the upper bound is that of pdmc_statistics_proportion(), since the mean is
-/// no more than the probability of a value above 0. Without spread else, the interval has no width.
+/// 1992), cut to [0, 1]. Its misses are more even on both sides than those of Student's interval, and fewer; figures
+/// are in src/statistics/README.md. Of zeros alone the upper bound is that of pdmc_statistics_proportion(), since the
+/// mean is no more than the probability of a value above 0. Without spread else, the interval has no width.
 /// @param[in] n  number of samples; NaN is what too few cannot tell, as in pdmc_statistics_moments()
 /// @param[in] x  [n] in [0, 1]
 PDMC_API pdmc_estimate pdmc_statistics_bounded_mean(size_t n, const double x[], double confidence);
@@ -75,10 +75,10 @@ PDMC_API double pdmc_statistics_bandwidth(size_t n, const double sorted[]);
 /// Samples within h / 16 of each other count as so many of their mean, which changes the kernel's variance by less than
 /// 1 / 3000 of itself. For a quantity that is positive the kernel is reflected at 0; below 0 the density is 0.
 ///
-/// The interval is pointwise: the variance of f(x) is about f (R / h - f) / n, R = 1 / (2 sqrt(pi)), with the reflection
-/// (1 + exp(-(x / h)^2)) R, and the interval is that of the root of f, whose lower bound is not below 0. It holds for the
-/// density smoothed by the kernel, not for the bias, about h^2 f'' / 2, which at Silverman's bandwidth is as large where f
-/// is most curved: a smaller bandwidth has less of it.
+/// The interval is pointwise: the variance of f(x) is about f (R / h - f) / n, R = 1 / (2 sqrt(pi)), with the
+/// reflection (1 + exp(-(x / h)^2)) R, and the interval is that of the root of f, whose lower bound is not below 0. It
+/// holds for the density smoothed by the kernel, not for the bias, about h^2 f'' / 2, which at Silverman's bandwidth is
+/// as large where f is most curved: a smaller bandwidth has less of it.
 /// @param[in]  n          number of samples, >= 1
 /// @param[in]  sorted     [n] ascending, finite
 /// @param[in]  bandwidth  h > 0, usually pdmc_statistics_bandwidth()
@@ -188,9 +188,9 @@ typedef struct {
 
 /// The mean of x from its linear regression on controls c of known mean mu: that of x - b'(c - mu), b by least squares.
 ///
-/// The interval is the regression's, Student's with n - 1 - controls degrees of freedom: exact where x given c is normal
-/// and linear in c, else for many samples (Lavenberg & Welch 1981). For many samples the reduction is 1 / (1 - R^2).
-/// Controls without spread, and combinations of controls that are linear in others, are left out.
+/// The interval is the regression's, Student's with n - 1 - controls degrees of freedom: exact where x given c is
+/// normal and linear in c, else for many samples (Lavenberg & Welch 1981). For many samples the reduction is 1 / (1 -
+/// R^2). Controls without spread, and combinations of controls that are linear in others, are left out.
 /// @param[in] n         number of samples, from controls + 2 to INT_MAX
 /// @param[in] x         [n] finite
 /// @param[in] c         [n, controls] finite

@@ -3,9 +3,9 @@
 
 /// Statistics of samples that are too many to keep, of several quantities side by side.
 ///
-/// A tally counts the values of each quantity in bins made of the leading bits of a double, sign, exponent and 11 bits of
-/// the fraction: every double has its bin, the bins are in the order of the numbers, and one is narrower than 2^-11 of
-/// the numbers in it. It sums the first four powers of z = (x - shift) / unit, and counts the values above given
+/// A tally counts the values of each quantity in bins made of the leading bits of a double, sign, exponent and 11 bits
+/// of the fraction: every double has its bin, the bins are in the order of the numbers, and one is narrower than 2^-11
+/// of the numbers in it. It sums the first four powers of z = (x - shift) / unit, and counts the values above given
 /// thresholds. Sums are carried without rounding from block to block, so that a result depends on how the samples are
 /// divided into blocks, but not on the order of blocks, nor on which tally of several that are merged took which block:
 /// each thread has a tally of its own, and the bits are the same for any number of threads.
@@ -42,7 +42,8 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_tally_add(pdmc_tally *tally, size_t cou
                                                    const double value[]);
 
 /// Adds the samples of one tally to another, as if it had taken them. After PDMC_ERR_NOMEM `into` is of no use.
-/// @return PDMC_OK, PDMC_ERR_ARG (other quantities, pilots or thresholds; 2^32 samples or more in all) or PDMC_ERR_NOMEM
+/// @return PDMC_OK, PDMC_ERR_ARG (other quantities, pilots or thresholds; 2^32 samples or more in all) or
+/// PDMC_ERR_NOMEM
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_tally_merge(pdmc_tally *into, const pdmc_tally *from);
 
 /// The number of samples.
@@ -60,9 +61,9 @@ PDMC_API void pdmc_tally_moments(const pdmc_tally *tally, size_t quantity, doubl
 /// DBL_MIN are 0. Without samples all is NaN.
 PDMC_API pdmc_estimate pdmc_tally_quantile(const pdmc_tally *tally, size_t quantity, double p, double confidence);
 
-/// A histogram, as pdmc_statistics_histogram() from the tally's own quantiles; but each edge is moved to the nearest edge
-/// of a bin of the tally, so that the counts are exact, and no bin is narrower than one of those. Where x < 0, bin b
-/// holds edges[b] < x <= edges[b + 1].
+/// A histogram, as pdmc_statistics_histogram() from the tally's own quantiles; but each edge is moved to the nearest
+/// edge of a bin of the tally, so that the counts are exact, and no bin is narrower than one of those. Where x < 0, bin
+/// b holds edges[b] < x <= edges[b + 1].
 /// @param[in]  bins    number of bins, >= 1
 /// @param[out] edges   [bins + 1] ascending
 /// @param[out] counts  [bins + 2] underflow, the bins, overflow

@@ -151,7 +151,8 @@ static void intervals_cover_and_shrink_as_they_should(void **state)
     assert_true(hits >= 0.93 * REPETITIONS && hits <= 0.97 * REPETITIONS);
     // of the variances of 4000 means each has an error of sqrt(2 / 4000), together 3.2 %; and two controls cost 2 / N
     CHECK_NEAR(plain_squares / squares * (1.0 - t.r_square), 1.0, 4 * 0.032);
-    // the mean of a ratio of variances of N samples; 1 - R^2 is seen too small by the heaviest residuals that are absent
+    // the mean of a ratio of variances of N samples; 1 - R^2 is seen too small by the heaviest residuals that are
+    // absent
     CHECK_NEAR(reduction * (1.0 - t.r_square), 1.0, 0.1);
 }
 
