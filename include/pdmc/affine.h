@@ -61,11 +61,12 @@ typedef struct {
 
 /// The energy release rate at one point of a circle round a tip in factored form:
 ///     G = 1/2 c_0 sum_q g_q sum_{bonds b of ring q} (row_b . x)^2,   g_q = sum_bins (c_bin / c_0)
-/// ring_weight[bin][q]. The sign of row_b . x is that of the bond's stretch. The rows are full, or have PDMC_BOND_ENDS
-/// values each: the displacements of the two nodes that a bond connects, among the unknowns or among the observed displacements.
+/// ring_weight[bin][q]. The sign of row_b . x is that of the bond's stretch. The rows are full, over the unknowns or over
+/// what is observed of them, or have PDMC_BOND_ENDS values each: the displacements of the two nodes that a bond connects,
+/// among the unknowns or among the observed displacements.
 typedef struct {
     int bonds;
-    double *row; // [bonds, unknowns], or [bonds, PDMC_BOND_ENDS] where there are columns
+    double *row; // [bonds, observed or unknowns], or [bonds, PDMC_BOND_ENDS] where there are columns
     int *column; // [bonds, PDMC_BOND_ENDS], or NULL
     int *ring;   // [bonds]
 } pdmc_crossing;
@@ -94,9 +95,10 @@ struct pdmc_affine {
     double *ring_weight;      // [bins, rings]
     pdmc_crossing *crossings; // [tips, angles]
     /// |sqrt G(x + e) - sqrt G(x)| <= crossing_bound |e|, |e|^2 = e' K(xi) e, in every direction; 0 where that is not known.
+    /// Where there is a field, |e|^2 = e' K_0 e, at stiffness 1 and the mean c(r).
     double crossing_bound;
     double *intensity_bound; // [2 tips] |row e| <= intensity_bound sqrt(e' K_0 e) of the stress intensities, or NULL
-    int observed;            // number of displacements that the crossings' columns count; 0: they count the unknowns
+    int observed;            // number of displacements that the crossings look at; 0: they look at the unknowns
     double *observe;         // [observed, unknowns]
 
     const pdmc_affine_verbs *verbs;

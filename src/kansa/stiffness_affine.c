@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/base_impl.h"
-#include "kansa/energy.h"
 #include "kansa/stiffness_operator.h"
 #include "kansa/weights.h"
 
-#include <cblas.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <string.h>
@@ -56,29 +54,6 @@ done:
     return status;
 }
 
-// The basis' coefficients of each coordinate: R^-1 L^-T.
-static pdmc_status fill_crossings(const pdmc_kansa_form *form, pdmc_affine *model)
-{
-    enum { PANEL = 64 };
-    pdmc_status status = PDMC_OK;
-    const int n = form->unknowns;
-    double *coefficients = NULL;
-    PDMC_NEW(coefficients, (size_t)n * (size_t)n);
-    for (size_t k = 0; k < (size_t)n; k++) coefficients[k * (size_t)(n + 1)] = 1.0;
-#pragma omp parallel for schedule(dynamic) num_threads(form->kansa->threads)
-    for (int first = 0; first < n; first += PANEL) {
-        const int count = n - first < PANEL ? n - first : PANEL;
-        double *panel = &coefficients[(size_t)first * (size_t)n];
-        cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, n, count, 1.0, form->root, n, panel,
-                    n);
-        pdmc_kansa_unwhiten(form->kansa, count, panel);
-    }
-    PDMC_TRY(pdmc_kansa_energy(form->kansa, coefficients, model));
-done:
-    pdmc_free(coefficients);
-    return status;
-}
-
 pdmc_status pdmc_kansa_form_affine(const pdmc_kansa_form *form, const pdmc_stiffness_terms *terms, pdmc_affine *model)
 {
     pdmc_status status = PDMC_OK;
@@ -90,7 +65,7 @@ pdmc_status pdmc_kansa_form_affine(const pdmc_kansa_form *form, const pdmc_stiff
     PDMC_TRY(copy_vectors(form, model));
     PDMC_TRY(fill_stiffness(form->kansa->problem, terms, model));
     const double made = pdmc_seconds();
-    PDMC_TRY(fill_crossings(form, model));
+    PDMC_TRY(pdmc_kansa_form_crossings(form, model));
     model->operator_seconds = made - start;
     model->energy_seconds = pdmc_seconds() - made;
 done:

@@ -20,3 +20,6 @@ PDMC_NODISCARD pdmc_status pdmc_kansa_form_affine(const pdmc_kansa_form *form, c
 /// Sets the model's unknowns, terms, verbs and discretisation.
 PDMC_NODISCARD pdmc_status pdmc_stiffness_operator_create(const pdmc_kansa_form *form,
                                                           const pdmc_stiffness_terms *terms, pdmc_affine *model);
+
+/// Fills the model's crossings, in what displacements near the tips observe of the coordinates, and their bound.
+PDMC_NODISCARD pdmc_status pdmc_kansa_form_crossings(const pdmc_kansa_form *form, pdmc_affine *model);
