@@ -46,8 +46,7 @@ static pdmc_status place_separations(double length, int degree, double finest, i
     return PDMC_OK;
 }
 
-/// o_mm'(r) [degree + 1, degree + 1] as it stands before the sum with its transpose, by a Gauss rule on [0, 1] of more
-/// than `degree` points, which is exact.
+/// o_mm'(r) / 2 [degree + 1, degree + 1], by a Gauss rule on [0, 1] of more than `degree` points, which is exact.
 static void overlap_at(double length, int degree, double r, int points, const double point[],
                        const double point_weight[], double near_values[], double far_values[], double product[])
 {
@@ -71,7 +70,7 @@ static void scatter(pdmc_overlap *overlap, int separation, double weight, const 
             for (int j = 0; j < n; j++) {
                 const int p = e + 2 * i, q = e + 2 * j;
                 overlap->overlap[e][(size_t)(i * n + j) * (size_t)overlap->count + (size_t)separation] =
-                    weight * (product[p * all + q] + product[q * all + p]);
+                    2.0 * weight * product[p * all + q];
             }
     }
 }

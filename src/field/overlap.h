@@ -6,7 +6,8 @@
 /// A rule for double integrals over an interval of length L, of polynomials and a kernel that is even in x - x':
 ///     integral integral k(x - x') p_m(x) p_m'(x') dx dx' = integral over [0, L] of k(r) o_mm'(r) dr,
 ///     o_mm'(r) = integral over [-L / 2, L / 2 - r] of p_m(x) p_m'(x + r) + p_m'(x) p_m(x + r) dx.
-/// o vanishes where m + m' is odd; the rest is kept apart for even and odd m.
+/// By reflection the two products have the same integral where m + m' is even, and opposite ones where it is odd: o
+/// vanishes there; the rest is kept apart for even and odd m.
 typedef struct {
     int degree, count;
     double *r;          // [count] separations, ascending in (0, L)
