@@ -26,6 +26,7 @@ static bool make_grid_coarser(pdmc_problem *problem)
 bool pdmc_make_coarser(pdmc_problem *problem)
 {
     pdmc_solver_options *solver = &problem->solver;
+    problem->uncertainty_count = 0; // the error is that of the mean
     if (solver->method == PDMC_METHOD_BOND) return make_grid_coarser(problem);
     solver->spacing *= 1.25;
     solver->shape *= 1.25;

@@ -41,6 +41,18 @@ static pdmc_status check_covariance(const pdmc_study_reader *reader, int index)
     return PDMC_OK;
 }
 
+// The rows of the collocation hold the gradient of the stiffness, which a rough field does not have, and are 7 % wrong for
+// a wave of four half lengths of the crack; the other methods have no field yet.
+static pdmc_status check_stiffness(const pdmc_study_reader *reader, int index)
+{
+    const pdmc_solver_options *solver = &reader->problem->solver;
+    const bool is_analytic = solver->method == PDMC_METHOD_KANSA && solver->crack_model == PDMC_CRACKS_ANALYTIC;
+    if (reader->problem->uncertainties[index].quantity != PDMC_QUANTITY_STIFFNESS || is_analytic) return PDMC_OK;
+    return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "quantity"},
+                             "a stiffness that varies in space needs the weak form of method = \"kansa\", "
+                             "crack_model = \"analytic\"");
+}
+
 // c(r) and the stiffness: functions with a variation at every point.
 static pdmc_status check_function(const pdmc_study_reader *reader, int index)
 {
@@ -52,7 +64,8 @@ static pdmc_status check_function(const pdmc_study_reader *reader, int index)
         return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "distribution"},
                                  "of a field must be \"normal\" or \"lognormal\"");
     warn_of_negative_bins(reader, index);
-    return check_covariance(reader, index);
+    const pdmc_status status = check_stiffness(reader, index);
+    return status == PDMC_OK ? check_covariance(reader, index) : status;
 }
 
 // What must be positive is seldom otherwise.
@@ -114,24 +127,32 @@ done:
     return status;
 }
 
-pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader)
+// What the symmetric matrices are of: bonds, and the weak form of the collocation.
+static pdmc_status check_inverse(const pdmc_study_reader *reader)
 {
     const pdmc_problem *p = reader->problem;
     const pdmc_study_address at = {SECTION_SAMPLING, -1, "inverse"};
-    if (p->sampling.design != PDMC_DESIGN_MONTE_CARLO && p->sampling.samples % p->sampling.replicates != 0)
-        return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_SAMPLING, -1, "samples"},
-                                 "%d is not allowed, must be a multiple of the %d replicates of the design",
-                                 p->sampling.samples, p->sampling.replicates);
+    const bool has_field = pdmc_problem_uncertainty(p, PDMC_QUANTITY_STIFFNESS) != NULL;
     const bool is_reduced = p->sampling.inverse == PDMC_INVERSE_REDUCED;
     if (p->sampling.inverse != PDMC_INVERSE_KRYLOV && !is_reduced) return PDMC_OK;
-    if (p->solver.method != PDMC_METHOD_BOND)
+    if (p->solver.method != PDMC_METHOD_BOND && !has_field)
         return pdmc_study_refuse(reader, at,
-                                 "\"%s\" needs the symmetric matrix of method = \"bond\", must be "
-                                 "\"direct\" or \"neumann\"",
+                                 "\"%s\" needs a symmetric matrix, as of method = \"bond\" or of a random stiffness, "
+                                 "must be \"direct\" or \"neumann\"",
                                  is_reduced ? "reduced" : "krylov");
     if (is_reduced && pdmc_problem_moves_sides(p))
         return pdmc_study_refuse(reader, at,
                                  "\"reduced\" has no prescribed displacements but 0 yet, must be "
                                  "\"direct\", \"neumann\" or \"krylov\"");
     return PDMC_OK;
+}
+
+pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader)
+{
+    const pdmc_problem *p = reader->problem;
+    if (p->sampling.design != PDMC_DESIGN_MONTE_CARLO && p->sampling.samples % p->sampling.replicates != 0)
+        return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_SAMPLING, -1, "samples"},
+                                 "%d is not allowed, must be a multiple of the %d replicates of the design",
+                                 p->sampling.samples, p->sampling.replicates);
+    return check_inverse(reader);
 }
