@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// check_expected RESULTS.json EXPECTED.csv: compares what `pdmc show --json` printed with a study's expected values.
-/// A line of the table is "pointer,value,tolerance,source", the pointer as in RFC 6901, e.g. /tips/0/nominal/K_I; the
+/// A line of the table is "pointer,value,tolerance,source", the pointer as in RFC 6901, e.g. /tips/0/nominal/K_I; where the
+/// tolerance is the word "interval", the pointer is that of an estimate whose own interval must contain the value. The
 /// first line names the columns, and lines that begin with # are for people. Exits 0 where every value is within its
 /// tolerance and there is at least one.
 
@@ -36,23 +37,44 @@ static bool within(const json_t *results, const char *pointer, double want, doub
     return good;
 }
 
+static bool contains(const json_t *results, const char *pointer, double want)
+{
+    const json_t *estimate = value_at(results, pointer);
+    const json_t *lower = json_object_get(estimate, "lower"), *upper = json_object_get(estimate, "upper");
+    if (!json_is_number(lower) || !json_is_number(upper)) {
+        printf("%s: no such interval\n", pointer);
+        return false;
+    }
+    const bool good = json_number_value(lower) <= want && want <= json_number_value(upper);
+    if (!good)
+        printf("%s: [%.10g, %.10g] is without %.10g\n", pointer, json_number_value(lower), json_number_value(upper), want);
+    return good;
+}
+
+/// @return whether the line can be read, and its value is as expected
+static bool agrees(const json_t *results, const char *line)
+{
+    char pointer[256], word[16];
+    double want, tolerance;
+    if (sscanf(line, "%255[^,],%lf,%lf", pointer, &want, &tolerance) == 3)
+        return within(results, pointer, want, tolerance);
+    if (sscanf(line, "%255[^,],%lf,%15[a-z]", pointer, &want, word) == 3 && strcmp(word, "interval") == 0)
+        return contains(results, pointer, want);
+    printf("not pointer,value,tolerance: %s", line);
+    return false;
+}
+
 /// @param[out] compared  number of lines with a value
 /// @return number of lines that are wrong, or that cannot be read
 static int compare_lines(const json_t *results, FILE *expected, int *compared)
 {
     int wrong = 0;
-    char line[1024], pointer[256];
-    double want, tolerance;
+    char line[1024];
     *compared = 0;
     for (int number = 1; fgets(line, sizeof line, expected); number++) {
         if (number == 1 || line[0] == '#' || line[0] == '\n') continue;
         (*compared)++;
-        if (sscanf(line, "%255[^,],%lf,%lf", pointer, &want, &tolerance) == 3) {
-            wrong += !within(results, pointer, want, tolerance);
-        } else {
-            printf("line %d is not pointer,value,tolerance: %s", number, line);
-            wrong++;
-        }
+        wrong += !agrees(results, line);
     }
     return wrong;
 }
