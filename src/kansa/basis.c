@@ -26,7 +26,7 @@ pdmc_status pdmc_basis_complete(pdmc_basis *basis, int crack_count, const pdmc_c
     }
     basis->monomials = (basis->degree + 1) * (basis->degree + 2) / 2;
     basis->scalars = basis->node_count + basis->monomials;
-    basis->fields = 4 * basis->orders * crack_count;
+    basis->fields = 4 * (basis->orders + basis->moments) * crack_count;
     basis->unknowns = 2 * basis->scalars + basis->fields;
 done:
     return status;
@@ -137,14 +137,14 @@ static void store_fields(const double complex field[4], double complex turn, dou
     }
 }
 
-static void evaluate_crack(const pdmc_basis *basis, const pdmc_crack_frame *crack, const double x[2],
+static void evaluate_crack(const pdmc_basis *basis, const pdmc_crack_frame *crack, int orders, const double x[2],
                            const double anchor[2], double u[], double v[])
 {
     const crack_point at = continue_from(crack, x, anchor);
     const double complex turn = CMPLX(crack->cosine, crack->sine) / (2.0 * basis->shear_modulus);
     const double y = cimag(at.z);
     double complex f = 1.0;
-    for (int m = 1; m <= basis->orders; m++) {
+    for (int m = 1; m <= orders; m++) {
         f *= at.w;
         // At a tip f' is infinite, but y f' is 0.
         const double complex d = at.root == 0.0 ? 0.0 : conj(-m * f / at.root), g = conj(f);
@@ -183,12 +183,43 @@ static void differentiate_crack(const pdmc_basis *basis, const pdmc_crack_frame 
     }
 }
 
+static void evaluate_moments(const pdmc_basis *basis, const pdmc_crack_frame *crack, const double x[2], int first,
+                             int moment, pdmc_basis_values *values)
+{
+    const double factor = creal(local(crack, x)) / crack->half_length;
+    for (int k = 0; k < 4 * basis->moments; k++) {
+        values->u[moment + k] = factor * values->u[first + k];
+        values->v[moment + k] = factor * values->v[first + k];
+    }
+}
+
+static void differentiate_moments(const pdmc_basis *basis, const pdmc_crack_frame *crack, const double x[2],
+                                  const double anchor[2], int first, int moment, pdmc_basis_values *by_x,
+                                  pdmc_basis_values *by_y)
+{
+    const double a = crack->half_length, factor = creal(local(crack, x)) / a;
+    double u[4 * PDMC_MOST_MOMENTS], v[4 * PDMC_MOST_MOMENTS];
+    evaluate_crack(basis, crack, basis->moments, x, anchor, u, v);
+    for (int k = 0; k < 4 * basis->moments; k++) {
+        by_x->u[moment + k] = factor * by_x->u[first + k] + crack->cosine / a * u[k];
+        by_x->v[moment + k] = factor * by_x->v[first + k] + crack->cosine / a * v[k];
+        by_y->u[moment + k] = factor * by_y->u[first + k] + crack->sine / a * u[k];
+        by_y->v[moment + k] = factor * by_y->v[first + k] + crack->sine / a * v[k];
+    }
+}
+
+int pdmc_basis_moment(const pdmc_basis *basis, int crack, int order)
+{
+    return 4 * (basis->orders * basis->crack_count + basis->moments * crack + order - 1);
+}
+
 void pdmc_basis_evaluate(const pdmc_basis *basis, const double x[2], const double anchor[2], pdmc_basis_values *values)
 {
     evaluate_scalars(basis, x, values->scalar);
     for (int c = 0; c < basis->crack_count; c++) {
         const int first = 4 * basis->orders * c;
-        evaluate_crack(basis, &basis->cracks[c], x, anchor, &values->u[first], &values->v[first]);
+        evaluate_crack(basis, &basis->cracks[c], basis->orders, x, anchor, &values->u[first], &values->v[first]);
+        evaluate_moments(basis, &basis->cracks[c], x, first, pdmc_basis_moment(basis, c, 1), values);
     }
 }
 
@@ -196,6 +227,9 @@ void pdmc_basis_gradient(const pdmc_basis *basis, const double x[2], const doubl
                          pdmc_basis_values *by_y)
 {
     differentiate_scalars(basis, x, by_x->scalar, by_y->scalar);
-    for (int c = 0; c < basis->crack_count; c++)
-        differentiate_crack(basis, &basis->cracks[c], x, anchor, by_x, by_y, 4 * basis->orders * c);
+    for (int c = 0; c < basis->crack_count; c++) {
+        const int first = 4 * basis->orders * c;
+        differentiate_crack(basis, &basis->cracks[c], x, anchor, by_x, by_y, first);
+        differentiate_moments(basis, &basis->cracks[c], x, anchor, first, pdmc_basis_moment(basis, c, 1), by_x, by_y);
+    }
 }

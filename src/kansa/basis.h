@@ -5,6 +5,9 @@
 ///     u = sum_k a_k g_k + sum_j alpha_j q_j + sum_l p_l Re U_l,   v = sum_k d_k g_k + sum_j beta_j q_j + sum_l p_l Im
 /// U_l. g_k: inverse multiquadrics (Evangelatos & Spanos 2011, eq. 25, times psi), q_j: monomials, U_l: crack fields.
 /// The scalars g and q serve both components; the unknowns are ordered [a, alpha | d, beta | p].
+/// The fields U_l are those of a uniform material. Where the stiffness varies there are moments too, x / a times the first of
+/// these in the crack's frame, which next to a tip hold what a gradient of the stiffness asks for, r^(3/2). (y / a times them
+/// lies in the span of these and of the neighbouring orders.)
 
 #include "pdmc/problem.h"
 
@@ -20,10 +23,13 @@ typedef struct {
     int degree;              // of the monomials (x / scale)^i (y / scale)^j, i + j <= degree
     double scale;
     int crack_count, orders; // each crack has 4 fields an order
+    int moments;             // orders whose fields are multiplied by x / a as well, <= PDMC_MOST_MOMENTS
     pdmc_crack_frame *cracks;
     double shear_modulus; // mu; a bond-based material has lambda = mu and kappa = 2 in both plane assumptions
     int monomials, scalars, fields, unknowns;
 } pdmc_basis;
+
+enum { PDMC_MOST_MOMENTS = 4 };
 
 /// Values of the basis at a point, or of its derivative in one direction.
 typedef struct {
@@ -34,6 +40,9 @@ typedef struct {
 /// Completes a basis whose nodes, shape, degree, scale, orders and shear modulus are set; copies the cracks' geometry.
 PDMC_NODISCARD pdmc_status pdmc_basis_complete(pdmc_basis *basis, int crack_count, const pdmc_crack cracks[]);
 void pdmc_basis_clear(pdmc_basis *basis);
+
+/// The first of an order's moments of a crack among the fields: x / a times each of the order's fields, in their order.
+int pdmc_basis_moment(const pdmc_basis *basis, int crack, int order);
 
 PDMC_NODISCARD pdmc_status pdmc_basis_values_create(const pdmc_basis *basis, pdmc_basis_values *values);
 void pdmc_basis_values_clear(pdmc_basis_values *values);

@@ -19,6 +19,8 @@ static void share_modulus(pdmc_kansa *kansa)
     for (int q = 0; q < rings->rings; q++) kansa->share[q] = rings->radius[q] * rings->radius[q] / modulus;
 }
 
+enum { MOMENTS = 2 }; // orders of the crack fields' moments where the stiffness varies
+
 static pdmc_status prepare(pdmc_kansa *kansa)
 {
     pdmc_status status = PDMC_OK;
@@ -30,6 +32,7 @@ static pdmc_status prepare(pdmc_kansa *kansa)
     basis->degree = options->polynomial_degree;
     basis->scale = 0.5 * fmin(problem->plate.width, problem->plate.height);
     basis->orders = options->crack_orders;
+    basis->moments = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_STIFFNESS) ? MOMENTS : 0;
     basis->shear_modulus =
         0.5 * problem->material.youngs_modulus / (1.0 + pdmc_poissons_ratio(problem->material.assumption));
     kansa->spacing = options->spacing;

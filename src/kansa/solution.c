@@ -86,6 +86,11 @@ void pdmc_kansa_stress_intensity_rows(const pdmc_kansa *kansa, int tip, double r
         const double value = factor * m * (is_to || m % 2 == 1 ? 1.0 : -1.0);
         row_1[first + 4 * (m - 1)] = value;
         row_2[first + 4 * (m - 1) + 1] = -value;
+        if (m > basis->moments) continue;
+        const int moment = 2 * basis->scalars + pdmc_basis_moment(basis, crack, m);
+        const double x = is_to ? 1.0 : -1.0; // of the tip, over a
+        row_1[moment] = x * value;
+        row_2[moment + 1] = -x * value;
     }
 }
 

@@ -18,6 +18,8 @@ typedef struct {
 static inline void stiff_plate_make(stiff_plate *s, int cells, double angle, int threads)
 {
     plate_make_cracked(&s->p, 0.5, angle, cells);
+    s->p.uncertainties[0] = (pdmc_uncertainty){.quantity = PDMC_QUANTITY_STIFFNESS};
+    s->p.problem.uncertainty_count = 1;
     s->kansa = NULL;
     s->form = NULL;
     CHECK_OK(pdmc_kansa_create(&s->p.problem, NULL, threads, &s->kansa));

@@ -18,17 +18,17 @@ typedef struct {
     double bound; // of the relative error of G
 } comparison;
 
-// What smooth trial functions and the fields of a uniform plate leave out is larger the shorter the wave: near a tip the
-// solution has terms in r^(3/2) of other angles. The bounds are half again what was measured.
+// What smooth trial functions and the crack's fields leave out is larger the shorter the wave. The bounds are half again
+// what was measured; without the moments of the crack's fields it was 1.2 % for a wave of 4 a.
 static void energies_agree_with_finite_elements(void **state)
 {
     (void)state;
     static const linear_modulus slope = {{0.1, 0.05}};
     static const wave_modulus waves[3] = {{0.2, 4.0, {0.7, 0.4}}, {0.2, 2.0, {0.7, 0.4}}, {0.2, 1.0, {0.7, 0.4}}};
-    static const comparison comparisons[4] = {{"linear", linear_modulus_at, &slope, 0.01},
-                                              {"wave of 8 a", wave_modulus_at, &waves[0], 0.01},
-                                              {"wave of 4 a", wave_modulus_at, &waves[1], 0.02},
-                                              {"wave of 2 a", wave_modulus_at, &waves[2], 0.025}};
+    static const comparison comparisons[4] = {{"linear", linear_modulus_at, &slope, 0.004},
+                                              {"wave of 8 a", wave_modulus_at, &waves[0], 0.008},
+                                              {"wave of 4 a", wave_modulus_at, &waves[1], 0.008},
+                                              {"wave of 2 a", wave_modulus_at, &waves[2], 0.035}};
     stiff_plate s;
     stiff_plate_make(&s, 16, 0.0, 2);
     for (int k = 0; k < 4; k++) {
@@ -73,7 +73,6 @@ static void the_bound_holds_for_samples_of_a_field(void **state)
     stiff_plate_make(&s, 6, 0.3, 2);
     s.p.uncertainties[0] = (pdmc_uncertainty){
         .quantity = PDMC_QUANTITY_STIFFNESS, .variation = 0.15, .covariance = covariance, .modes = 20};
-    s.p.problem.uncertainty_count = 1;
     CHECK_OK(pdmc_field_create(&request, 5.0, 5.0, 2, pdmc_kansa_field_sensitivity(s.form), 2, &field));
     CHECK_OK(pdmc_kansa_field_affine(s.form, field, &model));
     const double *xi = drawn_block_begin(&drawn, &s.p.problem, &model, COUNT)->drawn.xi;
