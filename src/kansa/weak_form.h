@@ -4,7 +4,7 @@
 #include "kansa/kansa_impl.h"
 
 /// The weak form in the trial functions of the collocation, in coordinates y = R x. Matrices are [unknowns, unknowns],
-/// symmetric, column-major, of which the lower triangle counts.
+/// symmetric, both triangles.
 typedef struct {
     double *mass;      // int u . u at density 1
     double *stiffness; // int sigma : epsilon, plus the penalty on prescribed displacements

@@ -38,8 +38,8 @@ void pdmc_weak_add_gram(const pdmc_kansa *kansa, int count, const double rows[],
     const int n = kansa->unknowns;
 #pragma omp parallel for schedule(dynamic) num_threads(kansa->threads)
     for (int first = 0; first < n; first += PANEL)
-        cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, n - first, n - first < PANEL ? n - first : PANEL, count,
-                    1.0, rows + first, n, rows + first, n, 1.0, &gram[(size_t)first * (size_t)(n + 1)], n);
+        cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, n, n - first < PANEL ? n - first : PANEL, count, 1.0, rows,
+                    n, rows + first, n, 1.0, &gram[(size_t)first * (size_t)n], n);
 }
 
 static void whiten(const pdmc_kansa *kansa, int count, double rows[])

@@ -21,7 +21,7 @@ PDMC_NODISCARD pdmc_status pdmc_weak_rule(const pdmc_kansa *kansa, pdmc_area_rul
 PDMC_NODISCARD pdmc_status pdmc_weak_fill_rows(const pdmc_kansa *kansa, const pdmc_area_rule *rule, int first,
                                                int count, double strain[], double displacement[]);
 
-/// gram += rows^T rows, its lower triangle, by panels of columns.
+/// gram += rows^T rows, by panels of columns.
 /// @param[in]     rows  [count, unknowns]
-/// @param[in,out] gram  [unknowns, unknowns] column-major
+/// @param[in,out] gram  [unknowns, unknowns]
 void pdmc_weak_add_gram(const pdmc_kansa *kansa, int count, const double rows[], double gram[]);
