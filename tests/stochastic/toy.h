@@ -94,10 +94,13 @@ static inline void toy_make(toy *t, double micromodulus_variation, double load_v
 /// What the run fills in before Monte Carlo.
 static inline pdmc_status toy_run(toy *t, const pdmc_run_options *options, pdmc_results *r)
 {
+    const bool is_designed = t->problem.sampling.design != PDMC_DESIGN_MONTE_CARLO;
     *r = (pdmc_results){.confidence = 0.95,
+                        .replicates = is_designed ? t->problem.sampling.replicates : 0.0,
                         .bin_count = 1,
                         .tip_count = 1,
-                        .angle_count = ANGLES,
+                        .angle_count = t->model.angles,
+                        .measure = t->problem.energy.measure,
                         .histogram_bins = 10,
                         .fracture_energy = 1.0};
     r->tips = pdmc_calloc(1, sizeof *r->tips);
