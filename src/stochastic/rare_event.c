@@ -81,12 +81,20 @@ static pdmc_status sample_at_point(const pdmc_variables *variables, const pdmc_l
     options.confidence = confidence;
     options.variation = request->variation;
     options.most_evaluations = request->evaluations;
+    if (options.batch > request->evaluations) options.batch = request->evaluations;
     PDMC_TRY(pdmc_importance_sampling(limit, CENTRES, centre, &options, &found));
     add_record(r, "importance sampling", &found);
 done:
     pdmc_first_order_clear(&point);
     pdmc_free(centre);
     return status;
+}
+
+// A batch of runs is taken in any case, of some 50 to 100 times these samples.
+static int samples_of_a_level(int most_evaluations)
+{
+    const int least = 100, samples = most_evaluations / 100, most = pdmc_subset_options_default().samples;
+    return samples < least ? least : samples > most ? most : samples;
 }
 
 static pdmc_status sample_by_subsets(const pdmc_variables *variables, const pdmc_limit_state *limit, double confidence,
@@ -98,6 +106,7 @@ static pdmc_status sample_by_subsets(const pdmc_variables *variables, const pdmc
     options.confidence = confidence;
     options.variation = variables->problem->reliability.variation;
     options.most_evaluations = variables->problem->reliability.evaluations;
+    options.samples = samples_of_a_level(variables->problem->reliability.evaluations);
     const pdmc_status status = pdmc_subset_simulation(limit, &options, &found);
     if (status == PDMC_OK) add_record(r, "subset simulation", &found);
     return status;

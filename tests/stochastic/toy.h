@@ -105,6 +105,7 @@ static inline pdmc_status toy_run(toy *t, const pdmc_run_options *options, pdmc_
                         .fracture_energy = 1.0};
     r->tips = pdmc_calloc(1, sizeof *r->tips);
     r->angles = pdmc_calloc(ANGLES, sizeof *r->angles);
+    if (!r->tips || !r->angles) return PDMC_ERR_NOMEM;
     for (int d = 0; d < ANGLES; d++) r->angles[d] = 1.5707963267948966 * d;
     pdmc_status status = pdmc_monte_carlo(&t->problem, &t->model, options, r);
     if (status == PDMC_OK) status = pdmc_summarise(options, r);
