@@ -11,6 +11,19 @@
 
 typedef struct pdmc_affine pdmc_affine;
 
+/// How the models of other plates are made, for samples whose cracks have a place of their own. Each is made on the thread
+/// that asks for it.
+typedef struct {
+    int threads; // that samples are shared out to, >= 1
+    const void *context;
+    /// @param[in]  value  of the scalar quantities, as many as the problem has
+    /// @param[out] model  of that plate, without a family
+    /// @param[out] plate  what the model needs; both are freed by release(), whatever is returned
+    /// @return PDMC_OK, PDMC_ERR_NOMEM, or another status where there is no such plate or no model of it
+    pdmc_status (*make)(const void *context, const double value[], pdmc_affine *model, void **plate);
+    void (*release)(pdmc_affine *model, void *plate);
+} pdmc_affine_family;
+
 /// Columns of every block that the verbs work on. A constant: the order of summation inside a matrix product depends on
 /// the shape of the block, and so would the last bits of the results.
 enum { PDMC_BLOCK = 64 };
@@ -74,6 +87,7 @@ typedef struct {
 enum { PDMC_BOND_ENDS = 4 };
 
 struct pdmc_affine {
+    const pdmc_affine_family *family; // the caller's; NULL where every sample has the model's own plate
     int unknowns, terms, bins;
     /// The first of the terms are those of c(r). Where the model has none although there are bins, c(r) acts by the
     /// effective modulus alone: K(xi) = (E_eff / E) (K_0 + sum_m xi_m K_m).

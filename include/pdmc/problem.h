@@ -51,8 +51,13 @@ typedef enum {
     PDMC_QUANTITY_YOUNGS_MODULUS,  // E, force / length^2
     PDMC_QUANTITY_FRACTURE_ENERGY, // G_c, force / length
     PDMC_QUANTITY_THICKNESS,       // length; the forces on the sides stay, so that the tractions go with its inverse
+    PDMC_QUANTITY_CRACK_LENGTH,    // length of a crack from end to end, about its middle
+    PDMC_QUANTITY_CRACK_ANGLE,     // by which it is turned about its middle, degrees, counter-clockwise
+    PDMC_QUANTITY_CRACK_X,         // by which its middle is shifted, length
+    PDMC_QUANTITY_CRACK_Y,         // ... length
     PDMC_QUANTITIES,
-    PDMC_FIRST_SCALAR = PDMC_QUANTITY_LOAD
+    PDMC_FIRST_SCALAR = PDMC_QUANTITY_LOAD,
+    PDMC_FIRST_OF_CRACK = PDMC_QUANTITY_CRACK_LENGTH
 } pdmc_quantity;
 enum { PDMC_SCALARS = PDMC_QUANTITIES - PDMC_FIRST_SCALAR };
 
@@ -101,6 +106,7 @@ typedef struct {
     pdmc_covariance covariance; // of the stiffness, and of a radial process
     bool has_length, has_smoothness;
     int modes; // of the expansion of a stiffness or a radial process
+    int crack; // that a length, an angle or a shift is of
 } pdmc_uncertainty;
 
 /// Of the normal variables behind two scalar quantities, in a Gaussian copula.
@@ -249,8 +255,29 @@ PDMC_API void pdmc_problem_clear(pdmc_problem *problem);
 /// The entry for a quantity, or NULL where the quantity is certain.
 PDMC_API const pdmc_uncertainty *pdmc_problem_uncertainty(const pdmc_problem *problem, pdmc_quantity quantity);
 
-/// The mean of a scalar quantity where the study does not give it: 1 for the load, the material's, the plate's.
+/// The mean of a scalar quantity where the study does not give it: 1 for the load, the material's, the plate's, the length
+/// of the crack, 0 for its angle and shift.
 PDMC_API double pdmc_problem_nominal(const pdmc_problem *problem, pdmc_quantity quantity);
+
+/// Whether the place of a crack is random, so that every sample has a plate of its own.
+PDMC_API bool pdmc_problem_moves_cracks(const pdmc_problem *problem);
+
+/// By how much a crack is turned; radians.
+/// @param[in] value  [PDMC_SCALARS] of the scalar quantities
+PDMC_API double pdmc_problem_turn(const pdmc_problem *problem, int crack, const double value[]);
+
+/// The cracks as the scalar quantities place them.
+/// @param[in]  value   [PDMC_SCALARS] of the scalar quantities
+/// @param[out] cracks  [crack_count]
+PDMC_API void pdmc_problem_place_cracks(const pdmc_problem *problem, const double value[], pdmc_crack cracks[]);
+
+/// Half the length of the shortest crack whose tips the method knows at its horizon.
+PDMC_API double pdmc_problem_least_half_crack(const pdmc_problem *problem);
+
+/// Whether cracks can be in the place of the problem's own: with the same tips inside the plate, none too short for the
+/// horizon, and none nearer to an edge or to another crack than the horizon, the spacing, or the problem's own.
+/// @param[in] cracks  [crack_count]
+PDMC_API bool pdmc_problem_cracks_fit(const pdmc_problem *problem, const pdmc_crack cracks[]);
 
 /// The correlation of the normal variables behind the scalar quantities, in the order of pdmc_quantity; 1 on the diagonal,
 /// 0 where the study says nothing.

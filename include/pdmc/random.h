@@ -19,8 +19,11 @@ typedef enum {
     PDMC_STREAM_YOUNGS_MODULUS = 9,
     PDMC_STREAM_FRACTURE_ENERGY = 10,
     PDMC_STREAM_THICKNESS = 11,
-    PDMC_STREAM_CRACK = 12,
+    PDMC_STREAM_CRACK_LENGTH = 12,
     PDMC_STREAM_RESAMPLING = 13, // of bootstraps
+    PDMC_STREAM_CRACK_ANGLE = 14,
+    PDMC_STREAM_CRACK_X = 15,
+    PDMC_STREAM_CRACK_Y = 16,
 } pdmc_stream;
 
 /// Uniform numbers in the open interval (0, 1): the odd multiples of 2^-53, so that 1 - u is exact and as likely as u.

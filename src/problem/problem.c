@@ -37,7 +37,14 @@ const pdmc_uncertainty *pdmc_problem_uncertainty(const pdmc_problem *problem, pd
 
 double pdmc_problem_nominal(const pdmc_problem *problem, pdmc_quantity quantity)
 {
+    const pdmc_uncertainty *uncertainty = pdmc_problem_uncertainty(problem, quantity);
+    const pdmc_crack *crack = uncertainty && problem->cracks ? &problem->cracks[uncertainty->crack] : NULL;
     switch (quantity) {
+    case PDMC_QUANTITY_CRACK_LENGTH:
+        return crack ? hypot(crack->to[0] - crack->from[0], crack->to[1] - crack->from[1]) : 0.0;
+    case PDMC_QUANTITY_CRACK_ANGLE:
+    case PDMC_QUANTITY_CRACK_X:
+    case PDMC_QUANTITY_CRACK_Y: return 0.0;
     case PDMC_QUANTITY_YOUNGS_MODULUS: return problem->material.youngs_modulus;
     case PDMC_QUANTITY_FRACTURE_ENERGY: return problem->material.fracture_energy;
     case PDMC_QUANTITY_THICKNESS: return problem->plate.thickness;

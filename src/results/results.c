@@ -95,7 +95,7 @@ static pdmc_status check_failures(const pdmc_results *results, pdmc_status code)
 {
     int failed = 0;
     for (int i = 0; i < results->sample_count; i++) {
-        if (results->failure[i] > PDMC_SAMPLE_SOFT)
+        if (results->failure[i] > PDMC_SAMPLE_GEOMETRY)
             return pdmc_raise(code, "sample %d: unknown reason of failure %d", i, results->failure[i]);
         failed += results->failure[i] != PDMC_SAMPLE_OK;
     }

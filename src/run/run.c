@@ -4,6 +4,7 @@
 #include "base/base_impl.h"
 #include "pdmc/discretisation.h"
 #include "run/coarser.h"
+#include "run/family.h"
 #include "run/motion.h"
 
 #include <gsl/gsl_math.h>
@@ -135,7 +136,9 @@ static pdmc_status run_samples(const pdmc_problem *problem, const pdmc_discretis
 {
     pdmc_status status = PDMC_OK;
     pdmc_affine model = {0};
+    const pdmc_affine_family family = pdmc_plate_family(problem, options->threads);
     PDMC_TRY(plate->verbs->affine(plate->method, &model));
+    if (pdmc_problem_moves_cracks(problem)) model.family = &family;
     PDMC_TRY(ask(problem, options));
     results->runtime.operators = model.operator_seconds;
     results->runtime.energy_rows = model.energy_seconds;

@@ -5,6 +5,7 @@
 #include "pdmc/fracture.h"
 #include "stochastic/fall_back.h"
 #include "stochastic/krylov.h"
+#include "stochastic/own_plate.h"
 #include "stochastic/reduced.h"
 
 #include <cblas.h>
@@ -37,6 +38,11 @@ static pdmc_status allocate(pdmc_block *block)
     PDMC_NEW(block->energy, B * (size_t)(model->tips * model->angles));
 done:
     return status;
+}
+
+int pdmc_block_threads(const pdmc_affine *model, int threads)
+{
+    return model->family ? 1 : threads;
 }
 
 pdmc_status pdmc_block_create(const pdmc_variables *variables, const pdmc_affine *model, pdmc_block **block)
@@ -82,6 +88,8 @@ static bool is_stiff(const pdmc_block *block, const pdmc_draw *draw)
 pdmc_status pdmc_block_draw_points(pdmc_block *block, const double z[], int count)
 {
     const pdmc_status status = pdmc_variables_draw(block->variables, count, z, block->drawn.draw);
+    block->has_own_plates = false;
+    memmove(block->drawn.z, z, (size_t)count * (size_t)block->variables->count * sizeof *z);
     for (int s = 0; s < B && status == PDMC_OK; s++) {
         if (s >= count) pdmc_draw_mean(block->problem, block->variables->model, &block->drawn.draw[s]);
         if (s >= count) block->sample[s] = -1;
@@ -220,6 +228,7 @@ pdmc_status pdmc_block_solve_by(pdmc_block *block, pdmc_inverse inverse, int cou
 pdmc_status pdmc_block_solve(pdmc_block *block, int count)
 {
     const pdmc_inverse inverse = block->problem->sampling.inverse;
+    if (block->model->family) return pdmc_block_solve_own_plates(block, count);
     const pdmc_status status = pdmc_block_solve_by(block, inverse, count);
     const bool may_fall_back = inverse == PDMC_INVERSE_NEUMANN || inverse == PDMC_INVERSE_KRYLOV;
     return status == PDMC_OK && may_fall_back ? pdmc_block_fall_back(block, count) : status;
@@ -298,6 +307,7 @@ static void measure_bonds(pdmc_block *block, pdmc_bonds bonds)
 void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds)
 {
     const double begin = pdmc_seconds();
+    if (block->has_own_plates) return;
     measure_intensities(block);
     measure_bonds(block, bonds);
     block->energy_seconds += pdmc_seconds() - begin;
@@ -306,6 +316,7 @@ void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds)
 void pdmc_block_measure(pdmc_block *block)
 {
     const pdmc_energy_request *energy = &block->problem->energy;
+    if (block->has_own_plates) return;
     if (energy->measure == PDMC_MEASURE_GRIFFITH) measure_intensities(block);
     else measure_bonds(block, energy->bonds);
 }
@@ -317,11 +328,20 @@ static void find_intensity(const pdmc_block *block, int s, int t, double intensi
         intensity[k] = block->drawn.draw[s].tip_modulus[t] * block->intensity[(2 * t + k) * B + s];
 }
 
+// Straight ahead, of the sample's own tip.
+static double direction_of(const pdmc_block *block, int s, int t, const pdmc_results *results)
+{
+    const double turn = block->model->family ? pdmc_problem_turn(block->problem, block->problem->energy.tips[t] / 2,
+                                                                 block->drawn.draw[s].value)
+                                             : 0.0;
+    return results->tips[t].direction + turn;
+}
+
 static double griffith_energy(const pdmc_block *block, int s, int t, const pdmc_results *results, int angle,
                               const double intensity[2])
 {
     const double modulus = block->drawn.draw[s].tip_modulus[t] * pdmc_plane_modulus(&block->problem->material);
-    return pdmc_griffith_energy(results->angles[angle] - results->tips[t].direction, intensity, modulus);
+    return pdmc_griffith_energy(results->angles[angle] - direction_of(block, s, t, results), intensity, modulus);
 }
 
 double pdmc_block_largest_energy(const pdmc_block *block, int s, int tip, const pdmc_results *results)

@@ -22,8 +22,12 @@ typedef struct {
     double *ring_sum;  // [rings, PDMC_BLOCK] squared stretches
     double *intensity; // [2 tips, PDMC_BLOCK]
     double *energy;    // [tips angles, PDMC_BLOCK]
-    double solve_seconds, energy_seconds;
+    bool has_own_plates; // its samples are solved on plates of their own, and their energies are there
+    double solve_seconds, energy_seconds; // times the threads that a block's samples are shared out to
 } pdmc_block;
+
+/// Threads that blocks are shared out to: all, or one where the samples of a block are shared out instead.
+int pdmc_block_threads(const pdmc_affine *model, int threads);
 
 /// @param[in] model  that of the variables, or one reduced from it; both are kept by reference
 PDMC_NODISCARD pdmc_status pdmc_block_create(const pdmc_variables *variables, const pdmc_affine *model,

@@ -121,7 +121,7 @@ static pdmc_status evaluate(void *context, int count, const double z[], double g
     char message[512] = "";
     if (options->progress && !options->progress(options->context, samples, samples))
         return pdmc_raise(PDMC_ERR_INTERRUPTED, "stopped during the search for rare growth");
-#pragma omp parallel num_threads(options->threads)
+#pragma omp parallel num_threads(pdmc_block_threads(growth->model, options->threads))
     {
 #pragma omp for schedule(dynamic)
         for (int b = 0; b < blocks; b++) {

@@ -212,7 +212,7 @@ static pdmc_status run_all(run *r)
         PDMC_NEW(r->delta[m], r->results->sample_count);
     r->blocks = (r->results->sample_count + PDMC_BLOCK - 1) / PDMC_BLOCK;
     PDMC_NEW(r->finished, r->blocks);
-#pragma omp parallel num_threads(r->options->threads)
+#pragma omp parallel num_threads(pdmc_block_threads(r->model, r->options->threads))
     work(r);
     if (r->status != PDMC_OK) PDMC_FAIL(r->status, "%s", r->message);
     cut_to_finished(r);

@@ -19,6 +19,10 @@ static const char *quantity_name(pdmc_quantity quantity)
         [PDMC_QUANTITY_YOUNGS_MODULUS] = "youngs_modulus",
         [PDMC_QUANTITY_FRACTURE_ENERGY] = "fracture_energy",
         [PDMC_QUANTITY_THICKNESS] = "thickness",
+        [PDMC_QUANTITY_CRACK_LENGTH] = "crack_length",
+        [PDMC_QUANTITY_CRACK_ANGLE] = "crack_angle",
+        [PDMC_QUANTITY_CRACK_X] = "crack_x",
+        [PDMC_QUANTITY_CRACK_Y] = "crack_y",
     };
     return names[quantity];
 }

@@ -73,9 +73,67 @@ static void warn_of_negative_values(const pdmc_study_reader *reader, int index)
 {
     const pdmc_uncertainty *u = &reader->problem->uncertainties[index];
     const double harmless = 1e-6, probability = pdmc_distribution_lower_tail(&u->law, 0.0);
-    if (u->quantity == PDMC_QUANTITY_LOAD || probability <= harmless) return;
+    if (u->quantity == PDMC_QUANTITY_LOAD || u->quantity >= PDMC_FIRST_OF_CRACK || probability <= harmless) return;
     pdmc_study_warn(reader, (pdmc_study_address){SECTION_RANDOM, index, "distribution"},
                     "has values that are not positive with probability %.3g", probability);
+}
+
+static void warn_of_short_cracks(const pdmc_study_reader *reader, int index)
+{
+    const pdmc_uncertainty *u = &reader->problem->uncertainties[index];
+    const double harmless = 1e-6, least = 2.0 * pdmc_problem_least_half_crack(reader->problem);
+    const double probability = pdmc_distribution_lower_tail(&u->law, least);
+    if (u->quantity == PDMC_QUANTITY_CRACK_LENGTH && probability > harmless)
+        pdmc_study_warn(reader, (pdmc_study_address){SECTION_RANDOM, index, "distribution"},
+                        "is below %g, too short for the solver, with probability %.3g: such samples fail", least,
+                        probability);
+}
+
+// An end on an edge leaves it with the next sample, and is then another tip.
+static void warn_of_mouths(const pdmc_study_reader *reader, int index)
+{
+    const pdmc_uncertainty *u = &reader->problem->uncertainties[index];
+    const pdmc_plate *plate = &reader->problem->plate;
+    const pdmc_crack *crack = &reader->problem->cracks[u->crack];
+    for (int end = 0; end < 2; end++) {
+        const double *x = end ? crack->to : crack->from;
+        if (fabs(x[0]) != 0.5 * plate->width && fabs(x[1]) != 0.5 * plate->height) continue;
+        pdmc_study_warn(
+            reader, (pdmc_study_address){SECTION_RANDOM, index, "quantity"},
+            "moves the end of \"%s\" that is on an edge: samples in which it is inside the plate fail, an end "
+            "well beyond the edge stays outside",
+            crack->name);
+        return;
+    }
+}
+
+static bool is_first_of_cracks(const pdmc_problem *p, int index)
+{
+    for (int i = 0; i < index; i++)
+        if (p->uncertainties[i].quantity >= PDMC_FIRST_OF_CRACK) return false;
+    return true;
+}
+
+// What a crack that moves asks of the solver.
+static pdmc_status check_crack(const pdmc_study_reader *reader, int index)
+{
+    const pdmc_problem *p = reader->problem;
+    const pdmc_study_address at = {SECTION_RANDOM, index, "quantity"};
+    if (p->solver.method == PDMC_METHOD_KANSA && p->solver.crack_model == PDMC_CRACKS_PAPER)
+        return pdmc_study_refuse(reader, at,
+                                 "needs a solution that converges, must not be with crack_model = \"paper\"");
+    if (pdmc_problem_uncertainty(p, PDMC_QUANTITY_STIFFNESS))
+        return pdmc_study_refuse(
+            reader, at,
+            "makes another plate of every sample, with other modes of the stiffness: one of the two "
+            "must go");
+    if (p->solver.method == PDMC_METHOD_BOND && is_first_of_cracks(p, index))
+        pdmc_study_warn(reader, at,
+                        "moves the crack between the nodes of a grid: energies jump by the bonds that it cuts, so that "
+                        "design points and small changes are those of the grid");
+    warn_of_short_cracks(reader, index);
+    warn_of_mouths(reader, index);
+    return PDMC_OK;
 }
 
 pdmc_status pdmc_study_check_random(const pdmc_study_reader *reader)
@@ -90,6 +148,7 @@ pdmc_status pdmc_study_check_random(const pdmc_study_reader *reader)
                                          "there already, must be once for each quantity");
         PDMC_TRY(is_scalar ? pdmc_study_make_law(reader, i) : check_function(reader, i));
         if (is_scalar) warn_of_negative_values(reader, i);
+        if (p->uncertainties[i].quantity >= PDMC_FIRST_OF_CRACK) PDMC_TRY(check_crack(reader, i));
     }
 done:
     return status;
@@ -134,6 +193,11 @@ static pdmc_status check_inverse(const pdmc_study_reader *reader)
     const pdmc_study_address at = {SECTION_SAMPLING, -1, "inverse"};
     const bool has_field = pdmc_problem_uncertainty(p, PDMC_QUANTITY_STIFFNESS) != NULL;
     const bool is_reduced = p->sampling.inverse == PDMC_INVERSE_REDUCED;
+    if (is_reduced && pdmc_problem_moves_cracks(p))
+        return pdmc_study_refuse(
+            reader, at,
+            "\"reduced\" has one model for all samples, and cracks that move have one each, must be "
+            "\"direct\", \"neumann\" or \"krylov\"");
     if (p->sampling.inverse != PDMC_INVERSE_KRYLOV && !is_reduced) return PDMC_OK;
     if (p->solver.method != PDMC_METHOD_BOND && !has_field)
         return pdmc_study_refuse(reader, at,

@@ -19,15 +19,15 @@ static const double default_variation = 0.20;
 static const struct {
     bool by_moments;
     unsigned own;      // its own parameters, all of which are needed
-    const char *names; // of what is allowed
+    const char *names; // of those
 } families[PDMC_DISTRIBUTIONS] = {
-    [PDMC_NORMAL] = {true, BIT(LOCATION) | BIT(SCALE), "mean and variation, or location and scale"},
-    [PDMC_LOGNORMAL] = {true, BIT(MEDIAN) | BIT(LOG_DEVIATION), "mean and variation, or median and log_deviation"},
-    [PDMC_WEIBULL] = {true, BIT(SCALE) | BIT(SHAPE), "mean and variation, or scale and shape"},
-    [PDMC_GUMBEL] = {true, BIT(LOCATION) | BIT(SCALE), "mean and variation, or location and scale"},
-    [PDMC_GAMMA] = {true, BIT(SCALE) | BIT(SHAPE), "mean and variation, or scale and shape"},
+    [PDMC_NORMAL] = {true, BIT(LOCATION) | BIT(SCALE), "location and scale"},
+    [PDMC_LOGNORMAL] = {true, BIT(MEDIAN) | BIT(LOG_DEVIATION), "median and log_deviation"},
+    [PDMC_WEIBULL] = {true, BIT(SCALE) | BIT(SHAPE), "scale and shape"},
+    [PDMC_GUMBEL] = {true, BIT(LOCATION) | BIT(SCALE), "location and scale"},
+    [PDMC_GAMMA] = {true, BIT(SCALE) | BIT(SHAPE), "scale and shape"},
     [PDMC_BETA] = {false, BIT(LOWER) | BIT(UPPER) | BIT(ALPHA) | BIT(BETA), "lower, upper, alpha and beta"},
-    [PDMC_UNIFORM] = {true, BIT(LOWER) | BIT(UPPER), "mean and variation, or lower and upper"},
+    [PDMC_UNIFORM] = {true, BIT(LOWER) | BIT(UPPER), "lower and upper"},
     [PDMC_TRIANGULAR] = {false, BIT(LOWER) | BIT(MODE) | BIT(UPPER), "lower, mode and upper"},
     [PDMC_EMPIRICAL] = {false, 0, "values"},
 };
@@ -44,7 +44,9 @@ static pdmc_status refuse_parameters(const pdmc_study_reader *reader, int index)
 {
     const pdmc_uncertainty *u = &reader->problem->uncertainties[index];
     return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "distribution"},
-                             "needs its parameters and no others, must have %s", families[u->distribution].names);
+                             "needs its parameters and no others, must have %s%s",
+                             families[u->distribution].by_moments ? "mean and variation, or " : "",
+                             families[u->distribution].names);
 }
 
 static double parameter(const pdmc_uncertainty *u, pdmc_parameter which, double otherwise)
@@ -55,11 +57,15 @@ static double parameter(const pdmc_uncertainty *u, pdmc_parameter which, double 
 static pdmc_status law_by_moments(const pdmc_study_reader *reader, int index)
 {
     pdmc_uncertainty *u = &reader->problem->uncertainties[index];
+    const double mean = parameter(u, PDMC_PARAMETER_MEAN, pdmc_problem_nominal(reader->problem, u->quantity));
     if (!u->given.has[PDMC_PARAMETER_VARIATION]) {
         u->given.has[PDMC_PARAMETER_VARIATION] = true;
         u->given.value[PDMC_PARAMETER_VARIATION] = default_variation;
     }
-    const double mean = parameter(u, PDMC_PARAMETER_MEAN, pdmc_problem_nominal(reader->problem, u->quantity));
+    if (mean == 0.0 && u->given.value[PDMC_PARAMETER_VARIATION] != 0.0)
+        return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "distribution"},
+                                 "has the mean 0, of which there is no variation, must have %s",
+                                 families[u->distribution].names);
     const pdmc_status status =
         pdmc_distribution_by_moments(u->distribution, mean, u->given.value[PDMC_PARAMETER_VARIATION], &u->law);
     if (status == PDMC_OK) return PDMC_OK;

@@ -71,6 +71,12 @@ static void write_choice(const writer *w, const pdmc_study_setting *s, const voi
     write_quoted(w->out, s->choices[choice]);
 }
 
+static void write_crack(const writer *w, const pdmc_study_setting *s, const void *field)
+{
+    (void)s;
+    write_quoted(w->out, w->problem->cracks[*(const int *)field].name);
+}
+
 static void write_tips(const writer *w, const pdmc_study_setting *s, const void *field)
 {
     (void)s, (void)field;
@@ -99,7 +105,7 @@ static void write_reals(const writer *w, const pdmc_study_setting *s, const void
 static write_function *const writers[KINDS] = {
     [KIND_REAL] = write_real, [KIND_OPTIONAL] = write_real, [KIND_PAIR] = write_pair, [KIND_INT] = write_int,
     [KIND_SEED] = write_seed, [KIND_TEXT] = write_text,     [KIND_NAME] = write_name, [KIND_CHOICE] = write_choice,
-    [KIND_TIPS] = write_tips, [KIND_REALS] = write_reals,
+    [KIND_TIPS] = write_tips, [KIND_REALS] = write_reals,       [KIND_CRACK] = write_crack,
 };
 
 static bool is_present(const pdmc_study_setting *s, const char *base)

@@ -23,6 +23,7 @@
 #define MICROMODULUS ONLY(PDMC_QUANTITY_MICROMODULUS)
 #define STIFFNESS ONLY(PDMC_QUANTITY_STIFFNESS)
 #define SCALAR (~(MICROMODULUS | STIFFNESS))
+#define OF_CRACK (~(ONLY(PDMC_FIRST_OF_CRACK) - 1U))
 #define OF_LAW(key, id, allowed, text)                                                                                 \
     {SECTION_RANDOM, key, KIND_OPTIONAL, .range = allowed, .offset = offsetof(pdmc_uncertainty, given.value[id]),       \
      .flag = offsetof(pdmc_uncertainty, given.has[id]), .quantities = SCALAR, .fallback = "none", .doc = text}
@@ -72,7 +73,9 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define ASSUMPTIONS CHOICES("plane_stress", "plane_strain")
 #define SIDES CHOICES("left", "right", "bottom", "top")
 #define FACES CHOICES("none", "left", "right")
-#define QUANTITIES CHOICES("micromodulus", "stiffness", "load", "youngs_modulus", "fracture_energy", "thickness")
+#define QUANTITIES                                                                                                     \
+    CHOICES("micromodulus", "stiffness", "load", "youngs_modulus", "fracture_energy", "thickness", "crack_length",         \
+            "crack_angle", "crack_x", "crack_y")
 #define RADIAL_MODELS CHOICES("radial_noise", "radial_process")
 #define COVARIANCES CHOICES("exponential", "gaussian", "matern")
 #define DISTRIBUTIONS                                                                                                  \
@@ -199,7 +202,11 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .doc = "of a point on a crack: the face left or right of from -> to"},
 
     {SECTION_RANDOM, "quantity", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, quantity), .choices = QUANTITIES,
-     .doc = "what is uncertain, each quantity once; the load is one factor on all tractions, stiffness a field in space"},
+     .doc = "what is uncertain, each quantity once; the load is one factor on all tractions, stiffness a field in space; "
+            "a crack is as long as crack_length, turned about its middle by crack_angle in degrees, and shifted by crack_x "
+            "and crack_y: every sample is then discretised anew"},
+    {SECTION_RANDOM, "crack", KIND_CRACK, .offset = offsetof(pdmc_uncertainty, crack), .quantities = OF_CRACK,
+     .fallback = "the first crack", .doc = "that a length, an angle or a shift is of"},
     {SECTION_RANDOM, "model", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, model), .choices = RADIAL_MODELS,
      .quantities = MICROMODULUS, .fallback = "radial_noise",
      .doc = "normal c(r) in each bin of [0, horizon], independent or correlated over r"},
@@ -226,7 +233,7 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .flag = offsetof(pdmc_uncertainty, given.has[PDMC_PARAMETER_VARIATION]),
      .fallback = "0.20 where no other parameter is given",
      .doc = "coefficient of variation; of a function at a point"},
-    OF_LAW("mean", PDMC_PARAMETER_MEAN, ANY, "in the quantity's unit; default that of plate or material, 1 of the load"),
+    OF_LAW("mean", PDMC_PARAMETER_MEAN, ANY, "in the quantity's unit; default that of plate, material, crack; 1 of loads"),
     OF_LAW("median", PDMC_PARAMETER_MEDIAN, POSITIVE, "of a lognormal, with log_deviation"),
     OF_LAW("log_deviation", PDMC_PARAMETER_LOG_DEVIATION, NOT_NEGATIVE, "standard deviation of a lognormal's logarithm"),
     OF_LAW("location", PDMC_PARAMETER_LOCATION, ANY, "of a normal its mean, of a Gumbel its mode"),
@@ -362,6 +369,7 @@ void pdmc_study_print_range(FILE *out, const pdmc_study_setting *setting)
     if (setting->kind == KIND_CHOICE) print_choices(out, setting->choices);
     else if (setting->kind == KIND_TEXT) fputs("a text, not empty and without control characters", out);
     else if (setting->kind == KIND_NAME) fprintf(out, "a text of 1 to %d letters, digits, _ or -", PDMC_NAME_SIZE - 1);
+    else if (setting->kind == KIND_CRACK) fputs("the name of a crack", out);
     else if (setting->kind == KIND_TIPS) fputs("an array of names of tips", out);
     else if (setting->kind == KIND_REALS) fputs("an array of 2 reals or more, [x1, x2, ...]", out);
     else if (!isfinite(range->low)) fputs("finite", out);

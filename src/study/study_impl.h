@@ -78,6 +78,7 @@ typedef enum {
     KIND_TEXT,
     KIND_NAME, // of a crack or a probe
     KIND_CHOICE,
+    KIND_CRACK, // the name of a crack, kept as its number
     KIND_TIPS,  // names of crack tips
     KIND_REALS, // an array of reals: offset is that of the pointer, flag that of the count; may be absent
     KINDS
@@ -211,6 +212,9 @@ typedef struct {
 /// Checks and stores one value; `value` is NULL where the file leaves it to the default.
 PDMC_NODISCARD pdmc_status pdmc_study_read_value(const pdmc_study_record *record, const pdmc_study_setting *setting,
                                                  const config_setting_t *value);
+/// The number of the crack that is named; the first where `value` is NULL.
+PDMC_NODISCARD pdmc_status pdmc_study_parse_crack(const pdmc_study_reader *reader, pdmc_study_address address,
+                                                  const config_setting_t *value, int *crack);
 PDMC_NODISCARD pdmc_status pdmc_study_parse_tips(const pdmc_study_reader *reader, pdmc_study_address address,
                                                  const config_setting_t *value);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/// Crack tips by name.
+/// Cracks and their tips by name.
 
 #include "study/study_impl.h"
 
@@ -11,6 +11,27 @@
 void pdmc_study_tip_name(const pdmc_problem *problem, int tip, char name[PDMC_STUDY_TIP_NAME_SIZE])
 {
     snprintf(name, PDMC_STUDY_TIP_NAME_SIZE, "%s.%s", problem->cracks[tip / 2].name, tip % 2 ? "to" : "from");
+}
+
+static pdmc_status refuse_crack(const pdmc_study_reader *reader, pdmc_study_address address, const char *wanted)
+{
+    pdmc_study_nearest nearest = pdmc_study_nearest_to(wanted);
+    for (int c = 0; c < reader->problem->crack_count; c++)
+        pdmc_study_nearest_offer(&nearest, reader->problem->cracks[c].name);
+    return *nearest.best
+               ? pdmc_study_refuse(reader, address, "no crack \"%.80s\", did you mean \"%s\"?", wanted, nearest.best)
+               : pdmc_study_refuse(reader, address, "no crack \"%.80s\"", wanted);
+}
+
+pdmc_status pdmc_study_parse_crack(const pdmc_study_reader *reader, pdmc_study_address address,
+                                   const config_setting_t *value, int *crack)
+{
+    const pdmc_problem *problem = reader->problem;
+    if (problem->crack_count == 0) return pdmc_study_refuse(reader, address, "there are no cracks");
+    const char *name = value ? config_setting_get_string(value) : problem->cracks[0].name;
+    for (*crack = 0; *crack < problem->crack_count; ++*crack)
+        if (strcmp(problem->cracks[*crack].name, name) == 0) return PDMC_OK;
+    return refuse_crack(reader, address, name);
 }
 
 static int find_tip(const pdmc_problem *problem, const char *wanted)

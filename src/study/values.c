@@ -157,6 +157,15 @@ static pdmc_status read_choice(const pdmc_study_record *r, const pdmc_study_sett
     return PDMC_OK;
 }
 
+static pdmc_status read_crack(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value)
+{
+    int crack;
+    if (value && config_setting_type(value) != CONFIG_TYPE_STRING) return pdmc_study_refuse_kind(r, s, value);
+    const pdmc_status status = pdmc_study_parse_crack(r->reader, pdmc_study_address_of(r, s), value, &crack);
+    if (status == PDMC_OK) store(r, s, &crack, sizeof crack);
+    return status;
+}
+
 static pdmc_status read_tips(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value)
 {
     if (value && !is_sequence(value)) return pdmc_study_refuse_kind(r, s, value);
@@ -184,7 +193,7 @@ static pdmc_status read_reals(const pdmc_study_record *r, const pdmc_study_setti
 static read_function *const readers[KINDS] = {
     [KIND_REAL] = read_real, [KIND_OPTIONAL] = read_optional, [KIND_PAIR] = read_pair, [KIND_INT] = read_int,
     [KIND_SEED] = read_seed, [KIND_TEXT] = read_text,         [KIND_NAME] = read_name, [KIND_CHOICE] = read_choice,
-    [KIND_TIPS] = read_tips, [KIND_REALS] = read_reals,
+    [KIND_TIPS] = read_tips, [KIND_REALS] = read_reals,       [KIND_CRACK] = read_crack,
 };
 
 pdmc_status pdmc_study_read_value(const pdmc_study_record *r, const pdmc_study_setting *s,

@@ -165,6 +165,7 @@ static void write_samples(const pdmc_results *r, const csv_units *units, FILE *s
         [PDMC_SAMPLE_DIVERGED] = "diverged",
         [PDMC_SAMPLE_SINGULAR] = "singular",
         [PDMC_SAMPLE_SOFT] = "soft",
+        [PDMC_SAMPLE_GEOMETRY] = "geometry",
     };
     write_samples_header(r, units, stream);
     for (int s = 0; s < r->sample_count; s++) {

@@ -56,7 +56,8 @@ static void missing_settings(void **state)
          "study.cfg:5: loads[0].traction: is missing, must be two reals [x, y], each finite"},
         {LINE_RANDOM, "random = ( { variation = 0.1; } );",
          "study.cfg:8: random[0].quantity: is missing, must be \"micromodulus\", \"stiffness\", \"load\", "
-         "\"youngs_modulus\", \"fracture_energy\" or \"thickness\""},
+         "\"youngs_modulus\", \"fracture_energy\", \"thickness\", \"crack_length\", \"crack_angle\", \"crack_x\" or "
+         "\"crack_y\""},
     };
     EXPECT(mistakes);
 }
@@ -184,7 +185,8 @@ static void uncertain_quantities(void **state)
     const mistake mistakes[] = {
         {LINE_RANDOM, "random = ( { quantity = \"modulus\"; } );",
          "study.cfg:8: random[0].quantity: \"modulus\" is not allowed, must be \"micromodulus\", \"stiffness\", \"load\", "
-         "\"youngs_modulus\", \"fracture_energy\" or \"thickness\""},
+         "\"youngs_modulus\", \"fracture_energy\", \"thickness\", \"crack_length\", \"crack_angle\", \"crack_x\" or "
+         "\"crack_y\""},
         {LINE_RANDOM, "random = ( { quantity = \"load\"; bins = 3; } );",
          "study.cfg:8: random[0].bins: is no setting of the quantity \"load\""},
         {LINE_RANDOM, "random = ( { quantity = \"load\"; model = \"radial_noise\"; } );",
