@@ -17,10 +17,11 @@ typedef struct {
     int threads; // that samples are shared out to, >= 1
     const void *context;
     /// @param[in]  value  of the scalar quantities, as many as the problem has
+    /// @param[in]  measure_alone  whether the model may leave out what the problem's measure does not need
     /// @param[out] model  of that plate, without a family
     /// @param[out] plate  what the model needs; both are freed by release(), whatever is returned
     /// @return PDMC_OK, PDMC_ERR_NOMEM, or another status where there is no such plate or no model of it
-    pdmc_status (*make)(const void *context, const double value[], pdmc_affine *model, void **plate);
+    pdmc_status (*make)(const void *context, const double value[], bool measure_alone, pdmc_affine *model, void **plate);
     void (*release)(pdmc_affine *model, void *plate);
 } pdmc_affine_family;
 

@@ -198,6 +198,7 @@ typedef struct {
     pdmc_energy_line line; // of the collocation; a grid of bonds has segments
     pdmc_bonds bonds;      // bonds in tension only, or all
     pdmc_measure measure;  // what P(G > G_c) and the direction are computed from
+    bool measure_alone;    // models may leave out what the other measure needs
 } pdmc_energy_request;
 
 /// Of a dynamic problem: the plate is at rest until time 0, and the loads follow a history.

@@ -115,6 +115,7 @@ pdmc_status pdmc_affine_fill_crossings(const pdmc_problem *problem, const pdmc_d
     PDMC_TRY(pdmc_ring_rule_create(PDMC_CROSSING_RINGS, model->bins, 3, problem->energy.horizon, &rings));
     model->rings = rings.rings;
     model->ring_weight = rings.weight; // the model's from here on
+    if (problem->energy.measure_alone && problem->energy.measure == PDMC_MEASURE_GRIFFITH) return PDMC_OK;
 #pragma omp parallel num_threads(threads)
     {
         workspace *work = NULL;

@@ -16,7 +16,8 @@ typedef struct {
 } pdmc_displacement_functional;
 
 /// Fills the model's micromodulus, rings and crossings: the stretch of every bond that crosses a potential
-/// fracture line, as a functional of the model's coordinates. Needs model->unknowns, bins, tips and angles.
+/// fracture line, as a functional of the model's coordinates; none where Griffith's measure alone is wanted. Needs
+/// model->unknowns, bins, tips and angles.
 /// @param[in]     coefficients  [model->unknowns, displacement->unknowns] the field of each coordinate
 /// @param[in,out] model         what was made is freed by pdmc_affine_clear(), after a failure as well
 /// @return PDMC_OK, PDMC_ERR_NOMEM, or the failure of open()

@@ -48,6 +48,7 @@ typedef struct {
     double rings;                                  // on which the operator is assembled
     double terms;                                  // rings with a random coefficient
     double directions, dimension, samples, solved; // solved: samples with a solution of their own, by direct solves
+    double plates;                                 // samples with a plate of their own
     double steps;                                  // of time, in a dynamic study
     double threads;
 } amounts;
@@ -63,6 +64,7 @@ static amounts count_all(const pdmc_problem *problem, int threads)
     a.terms = noise ? a.rings : 0.0;
     a.directions = problem->energy.tip_count * (double)problem->energy.angles;
     a.dimension = noise ? response_size : 2.0;
+    a.plates = pdmc_problem_moves_cracks(problem) ? a.samples : 0.0;
     a.solved = noise && problem->sampling.inverse == PDMC_INVERSE_DIRECT ? a.samples : 0.0;
     return a;
 }
@@ -74,14 +76,36 @@ static double seconds_to_solve(const amounts *a, const sizes *s)
     return seconds_per_row_value * values / a->threads + seconds_per_flop * n * n * (4.0 * s->rows - 4.0 / 3.0 * n);
 }
 
+// Operators of the random terms, and the rows of the energies.
+static double seconds_to_model(const amounts *a)
+{
+    const double n = a->fine.unknowns;
+    const double whitened = a->solved > 0.0 ? seconds_per_flop * a->terms * a->fine.interior * n * n / a->threads : 0.0;
+    return whitened + seconds_per_word_value * a->terms * n * a->fine.rows +
+           seconds_per_bond_value * a->directions * a->bonds * n / a->threads;
+}
+
+static double seconds_of_energies(const amounts *a)
+{
+    return a->directions * a->bonds * (seconds_per_bond + a->dimension * seconds_per_bond_direction);
+}
+
+// Each on one thread, and in a block of its own.
+static double seconds_for_plates(const amounts *a)
+{
+    amounts alone = *a;
+    alone.threads = 1.0;
+    const double each = seconds_to_solve(&alone, &alone.fine) + seconds_to_model(&alone);
+    return a->plates * (each + PDMC_BLOCK * seconds_of_energies(a)) / a->threads;
+}
+
 // The first block is solved alone, since the run is refused if it diverges; the others are shared out whole.
 static double seconds_to_sample(const amounts *a)
 {
     const double n = a->fine.unknowns;
     const double solve = a->solved > 0.0 ? seconds_per_flop * n * n * (2.0 * a->fine.rows - 2.0 / 3.0 * n) : 0.0;
-    const double bond = seconds_per_bond + a->dimension * seconds_per_bond_direction;
     const double blocks = ceil(a->samples / PDMC_BLOCK), rounds = 1.0 + ceil((blocks - 1.0) / a->threads);
-    return fmin(rounds * PDMC_BLOCK, a->samples) * (solve + a->directions * a->bonds * bond);
+    return fmin(rounds * PDMC_BLOCK, a->samples) * (solve + seconds_of_energies(a));
 }
 
 // Three rows of the strain and two of the displacement at each point, whitened and squared; then steps on one thread.
@@ -105,12 +129,8 @@ static double bytes_of_results(const amounts *a, double bins, double probes)
 
 static double seconds_in_all(const amounts *a, double file)
 {
-    const double n = a->fine.unknowns;
-    const double whitened = a->solved > 0.0 ? seconds_per_flop * a->terms * a->fine.interior * n * n / a->threads : 0.0;
     const double errors = a->directions > 0.0 ? seconds_to_solve(a, &a->coarse) : 0.0;
-    const double operators = seconds_per_word_value * a->terms * n * a->fine.rows;
-    const double crossings = seconds_per_bond_value * a->directions * a->bonds * n / a->threads;
-    return seconds_to_solve(a, &a->fine) + errors + operators + whitened + crossings + seconds_to_sample(a) +
+    return seconds_to_solve(a, &a->fine) + errors + seconds_to_model(a) + seconds_to_sample(a) + seconds_for_plates(a) +
            seconds_to_move(a) + seconds_to_summarise(a) + seconds_per_byte * file;
 }
 
@@ -129,8 +149,10 @@ static double bytes_at_most(const amounts *a, double file)
     const double direct = a->solved > 0.0 ? n * (a->terms * a->fine.interior + a->threads * a->fine.rows) : 0.0;
     const double crossings = a->directions * a->bonds * a->dimension + a->threads * a->bonds * n;
     const double solving = 8.0 * fmax(coarse, n * a->fine.rows), sampling = 8.0 * (direct + crossings) + file;
+    const double plates = a->plates > 0.0 ? a->threads * 8.0 * (numbers_kept(a, &a->fine) + n * a->fine.rows) : 0.0;
     const double moving = a->steps > 0.0 ? 8.0 * 3.0 * n * n + file : 0.0; // mass, stiffness, and the factor of a step
-    return bytes_of_program + fmax(2.0 * file, 8.0 * numbers_kept(a, &a->fine) + fmax(moving, fmax(solving, sampling)));
+    return bytes_of_program +
+           fmax(2.0 * file, 8.0 * numbers_kept(a, &a->fine) + fmax(moving, fmax(solving, sampling + plates)));
 }
 
 pdmc_cost pdmc_run_cost(const pdmc_problem *problem, int threads)

@@ -68,8 +68,11 @@ pdmc_cost pdmc_bond_cost(const pdmc_problem *problem, int threads)
     const double directions = problem->energy.tip_count * (double)problem->energy.angles;
     const double file = 8.0 * samples * (PDMC_MEASURES * directions + (noise ? noise->bins : 0.0));
     double seconds = seconds_to_factor(&fine) + (directions > 0.0 ? seconds_to_factor(&coarse) : 0.0);
-    seconds +=
-        samples * ((noise ? seconds_of_a_sample(problem, &fine) : 0.0) + directions * seconds_per_direction) / threads;
+    const double plates = pdmc_problem_moves_cracks(problem) ? samples : 0.0; // each with a block of its own
+    const double columns = plates > 0.0 ? PDMC_BLOCK : 1.0;
+    seconds += plates * seconds_to_factor(&fine) / threads;
+    seconds += columns * samples *
+               ((noise ? seconds_of_a_sample(problem, &fine) : 0.0) + directions * seconds_per_direction) / threads;
     seconds += PDMC_MEASURES * directions * seconds_per_distribution / threads;
     double bytes = 8.0 * (fine.entries + coarse.entries) + 26.0 * fine.bonds + 2.0 * file;
     bytes += 8.0 * PDMC_BLOCK * unknowns * 6.0 * threads;

@@ -9,7 +9,7 @@ typedef struct {
     pdmc_discretisation discretisation;
 } own_plate;
 
-static pdmc_status make(const void *context, const double value[], pdmc_affine *model, void **plate)
+static pdmc_status make(const void *context, const double value[], bool measure_alone, pdmc_affine *model, void **plate)
 {
     pdmc_status status = PDMC_OK;
     const pdmc_problem *problem = context;
@@ -18,6 +18,7 @@ static pdmc_status make(const void *context, const double value[], pdmc_affine *
     *plate = made;
     made->problem = *problem;
     made->problem.cracks = NULL;
+    made->problem.energy.measure_alone = measure_alone;
     PDMC_NEW(made->problem.cracks, problem->crack_count);
     pdmc_problem_place_cracks(problem, value, made->problem.cracks);
     if (!pdmc_problem_cracks_fit(problem, made->problem.cracks))

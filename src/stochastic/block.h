@@ -22,6 +22,7 @@ typedef struct {
     double *ring_sum;  // [rings, PDMC_BLOCK] squared stretches
     double *intensity; // [2 tips, PDMC_BLOCK]
     double *energy;    // [tips angles, PDMC_BLOCK]
+    bool measure_alone;  // only pdmc_block_measure() is called; to be set before samples are solved
     bool has_own_plates; // its samples are solved on plates of their own, and their energies are there
     double solve_seconds, energy_seconds; // times the threads that a block's samples are shared out to
 } pdmc_block;

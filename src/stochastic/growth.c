@@ -23,6 +23,7 @@ pdmc_status pdmc_growth_create(const pdmc_variables *variables, const pdmc_affin
     PDMC_NEW(growth->full_block, options->threads);
     for (int t = 0; t < options->threads; t++) {
         PDMC_TRY(pdmc_block_create(variables, model, &growth->block[t]));
+        growth->block[t]->measure_alone = true;
         if (full != model) PDMC_TRY(pdmc_block_create(variables, full, &growth->full_block[t]));
     }
 done:

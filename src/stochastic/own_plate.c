@@ -36,7 +36,8 @@ static pdmc_status solve_on_model(pdmc_block *block, int s, const pdmc_affine *m
     PDMC_TRY(pdmc_block_create(&variables, model, &own));
     PDMC_TRY(pdmc_block_draw_points(own, &block->drawn.z[s * variables.count], 1));
     PDMC_TRY(pdmc_block_solve(own, 1));
-    pdmc_block_energies(own, block->problem->energy.bonds);
+    if (block->measure_alone) pdmc_block_measure(own);
+    else pdmc_block_energies(own, block->problem->energy.bonds);
     take_sample(block, s, own);
 done:
     pdmc_block_destroy(&own);
@@ -48,7 +49,8 @@ static pdmc_status solve_sample(pdmc_block *block, int s)
     const pdmc_affine_family *family = block->model->family;
     pdmc_affine model = {0};
     void *plate = NULL;
-    pdmc_status status = family->make(family->context, block->drawn.draw[s].value, &model, &plate);
+    pdmc_status status =
+        family->make(family->context, block->drawn.draw[s].value, block->measure_alone, &model, &plate);
     if (status == PDMC_OK) {
         status = solve_on_model(block, s, &model);
     } else if (status != PDMC_ERR_NOMEM) {
