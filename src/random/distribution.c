@@ -75,16 +75,18 @@ static pdmc_status check_parameters(const pdmc_distribution *distribution)
                  "the scale of a %s distribution is %g: it must not be negative", family->name, scale);
     PDMC_REQUIRE(!family->shaped || (isfinite(shape) && shape > 0.0),
                  "the shape of a %s distribution is %g: it must be positive", family->name, shape);
-    PDMC_REQUIRE(!family->bounded || distribution->lower <= distribution->upper, "a %s distribution from %g down to %g",
-                 family->name, distribution->lower, distribution->upper);
+    PDMC_REQUIRE(!family->bounded || distribution->lower <= distribution->upper,
+                 "the lower end of a %s distribution is %g: it must not be above the upper, %g", family->name,
+                 distribution->lower, distribution->upper);
     return family->check ? family->check(distribution) : PDMC_OK;
 }
 
 static pdmc_status check_cut(const pdmc_distribution *distribution)
 {
     const double least = distribution->least, most = distribution->most;
-    PDMC_REQUIRE(least < most, "a distribution cut off below %g and above %g", least, most);
-    PDMC_REQUIRE(pdmc_cut_mass(distribution) > 0.0, "a %s distribution that has no probability between %g and %g",
+    PDMC_REQUIRE(least < most, "a distribution is cut off below %g and above %g: it needs least < most", least, most);
+    PDMC_REQUIRE(pdmc_cut_mass(distribution) > 0.0,
+                 "a %s distribution has no probability between %g and %g, where it is cut off",
                  pdmc_family_of(distribution)->name, least, most);
     return PDMC_OK;
 }

@@ -29,15 +29,19 @@ static pdmc_status check_covariance(const pdmc_study_reader *reader, int index)
 {
     const pdmc_uncertainty *u = &reader->problem->uncertainties[index];
     const bool needs = u->quantity == PDMC_QUANTITY_STIFFNESS || u->model == PDMC_RADIAL_PROCESS;
+    const bool has_smoothness = needs && u->covariance.kind == PDMC_COVARIANCE_MATERN;
     if (needs && !u->has_length)
         return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "correlation_length"},
-                                 "missing, must be > 0");
+                                 "is missing, must be a real > 0");
     if (!needs && u->has_length)
         return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "correlation_length"},
                                  "is no setting of the model \"radial_noise\"");
-    if (u->has_smoothness != (needs && u->covariance.kind == PDMC_COVARIANCE_MATERN))
+    if (u->has_smoothness && !has_smoothness)
         return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "smoothness"},
-                                 "must be there for the covariance \"matern\", and for no other");
+                                 "is a setting of the covariance \"matern\" alone");
+    if (has_smoothness && !u->has_smoothness)
+        return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "smoothness"},
+                                 "is missing, must be a real from 0.05 to 20 with covariance = \"matern\"");
     return PDMC_OK;
 }
 
@@ -162,7 +166,7 @@ static pdmc_status check_pair(const pdmc_study_reader *reader, int index)
     for (int k = 0; k < 2; k++)
         if (both[k] < PDMC_FIRST_SCALAR || !pdmc_problem_uncertainty(reader->problem, both[k]))
             return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_CORRELATIONS, index, k ? "second" : "first"},
-                                     "must be a scalar quantity of random");
+                                     "is no quantity of random with a distribution of its own, must be one");
     if (pair->first == pair->second) return pdmc_study_refuse(reader, at, "must be another quantity than first");
     for (int j = 0; j < index; j++) {
         const pdmc_correlation *other = &reader->problem->correlations[j];
@@ -181,7 +185,8 @@ pdmc_status pdmc_study_check_correlations(const pdmc_study_reader *reader)
     for (int i = 0; i < p->correlation_count; i++) PDMC_TRY(check_pair(reader, i));
     pdmc_problem_correlation(p, matrix);
     if (pdmc_copula_factor(PDMC_SCALARS, matrix, factor) != PDMC_OK)
-        return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_CORRELATIONS, -1, NULL}, "%s", pdmc_last_error());
+        return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_CORRELATIONS, -1, NULL},
+                                 "they contradict each other: no quantities can have all of them");
 done:
     return status;
 }
@@ -214,9 +219,25 @@ static pdmc_status check_inverse(const pdmc_study_reader *reader)
 pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader)
 {
     const pdmc_problem *p = reader->problem;
-    if (p->sampling.design != PDMC_DESIGN_MONTE_CARLO && p->sampling.samples % p->sampling.replicates != 0)
+    const int samples = p->sampling.samples, replicates = p->sampling.replicates;
+    if (p->sampling.design != PDMC_DESIGN_MONTE_CARLO && samples % replicates != 0)
         return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_SAMPLING, -1, "samples"},
-                                 "%d is not allowed, must be a multiple of the %d replicates of the design",
-                                 p->sampling.samples, p->sampling.replicates);
+                                 "%d is not allowed, must be a multiple of the %d replicates of the design, such as %d",
+                                 samples, replicates, (samples / replicates + 1) * replicates);
     return check_inverse(reader);
+}
+
+pdmc_status pdmc_study_check_reliability(const pdmc_study_reader *reader)
+{
+    const pdmc_problem *p = reader->problem;
+    const pdmc_reliability_request *request = &p->reliability;
+    const bool is_asked = request->method != PDMC_RARE_NONE;
+    if (request->sensitivity == 1)
+        return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RELIABILITY, -1, "sensitivity"},
+                                 "1 is not allowed, must be 0 or from 2 to 10000000");
+    if ((is_asked || request->sensitivity > 0) && p->uncertainty_count == 0)
+        return pdmc_study_refuse(reader,
+                                 (pdmc_study_address){SECTION_RELIABILITY, -1, is_asked ? "method" : "sensitivity"},
+                                 "nothing is random, must have a list of random quantities");
+    return PDMC_OK;
 }

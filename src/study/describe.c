@@ -10,7 +10,7 @@
 static void print_setting(FILE *out, const pdmc_study_setting *s)
 {
     const char *noun = pdmc_study_kind_noun(s->kind);
-    fprintf(out, "    %-18s%s%s", s->key, noun, *noun ? " " : "");
+    fprintf(out, "    %-19s%s%s", s->key, noun, *noun ? " " : "");
     pdmc_study_print_range(out, s);
     if (s->unit != UNIT_NONE) fputs("; ", out);
     pdmc_study_print_unit(out, s->unit, &(pdmc_study_units){"length", "force", "time"});

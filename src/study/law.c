@@ -17,19 +17,20 @@
 static const double default_variation = 0.20;
 
 static const struct {
+    const char *name;
     bool by_moments;
-    unsigned own;      // its own parameters, all of which are needed
-    const char *names; // of those
+    unsigned own;           // its own parameters, all of which are needed
+    const char *parameters; // what they are called
 } families[PDMC_DISTRIBUTIONS] = {
-    [PDMC_NORMAL] = {true, BIT(LOCATION) | BIT(SCALE), "location and scale"},
-    [PDMC_LOGNORMAL] = {true, BIT(MEDIAN) | BIT(LOG_DEVIATION), "median and log_deviation"},
-    [PDMC_WEIBULL] = {true, BIT(SCALE) | BIT(SHAPE), "scale and shape"},
-    [PDMC_GUMBEL] = {true, BIT(LOCATION) | BIT(SCALE), "location and scale"},
-    [PDMC_GAMMA] = {true, BIT(SCALE) | BIT(SHAPE), "scale and shape"},
-    [PDMC_BETA] = {false, BIT(LOWER) | BIT(UPPER) | BIT(ALPHA) | BIT(BETA), "lower, upper, alpha and beta"},
-    [PDMC_UNIFORM] = {true, BIT(LOWER) | BIT(UPPER), "lower and upper"},
-    [PDMC_TRIANGULAR] = {false, BIT(LOWER) | BIT(MODE) | BIT(UPPER), "lower, mode and upper"},
-    [PDMC_EMPIRICAL] = {false, 0, "values"},
+    [PDMC_NORMAL] = {"normal", true, BIT(LOCATION) | BIT(SCALE), "location and scale"},
+    [PDMC_LOGNORMAL] = {"lognormal", true, BIT(MEDIAN) | BIT(LOG_DEVIATION), "median and log_deviation"},
+    [PDMC_WEIBULL] = {"weibull", true, BIT(SCALE) | BIT(SHAPE), "scale and shape"},
+    [PDMC_GUMBEL] = {"gumbel", true, BIT(LOCATION) | BIT(SCALE), "location and scale"},
+    [PDMC_GAMMA] = {"gamma", true, BIT(SCALE) | BIT(SHAPE), "scale and shape"},
+    [PDMC_BETA] = {"beta", false, BIT(LOWER) | BIT(UPPER) | BIT(ALPHA) | BIT(BETA), "lower, upper, alpha and beta"},
+    [PDMC_UNIFORM] = {"uniform", true, BIT(LOWER) | BIT(UPPER), "lower and upper"},
+    [PDMC_TRIANGULAR] = {"triangular", false, BIT(LOWER) | BIT(MODE) | BIT(UPPER), "lower, mode and upper"},
+    [PDMC_EMPIRICAL] = {"empirical", false, 0, "values"},
 };
 
 static unsigned given_bits(const pdmc_parameters *given)
@@ -40,13 +41,33 @@ static unsigned given_bits(const pdmc_parameters *given)
     return bits & ~CUTS;
 }
 
+// The keys of a distribution that the file gives: "mean, scale".
+static void print_given(FILE *out, const pdmc_uncertainty *u)
+{
+    const size_t first = offsetof(pdmc_uncertainty, given.has);
+    int count = 0;
+    for (const pdmc_study_setting *s = pdmc_study_settings; s->key; s++) {
+        const bool is_values = s->kind == KIND_REALS && u->value_count > 0;
+        const bool is_parameter = s->section == SECTION_RANDOM && first <= s->flag && s->flag < first + PDMC_PARAMETERS;
+        if (is_values || (is_parameter && given_bits(&u->given) & 1U << (s->flag - first)))
+            fprintf(out, "%s%s", count++ ? ", " : "", s->key);
+    }
+    if (count == 0) fputs("no parameters", out);
+}
+
 static pdmc_status refuse_parameters(const pdmc_study_reader *reader, int index)
 {
     const pdmc_uncertainty *u = &reader->problem->uncertainties[index];
-    return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "distribution"},
-                             "needs its parameters and no others, must have %s%s",
-                             families[u->distribution].by_moments ? "mean and variation, or " : "",
-                             families[u->distribution].names);
+    pdmc_study_text message;
+    const pdmc_status status =
+        pdmc_study_refusal_begin(reader, (pdmc_study_address){SECTION_RANDOM, index, "distribution"}, &message);
+    if (status != PDMC_OK) return status;
+    fprintf(message.out, "\"%s\" with ", families[u->distribution].name);
+    print_given(message.out, u);
+    fprintf(message.out, " is not allowed, must have %s%s",
+            families[u->distribution].by_moments ? "mean and variation, or " : "",
+            families[u->distribution].parameters);
+    return pdmc_study_refusal_end(&message);
 }
 
 static double parameter(const pdmc_uncertainty *u, pdmc_parameter which, double otherwise)
@@ -65,11 +86,12 @@ static pdmc_status law_by_moments(const pdmc_study_reader *reader, int index)
     if (mean == 0.0 && u->given.value[PDMC_PARAMETER_VARIATION] != 0.0)
         return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "distribution"},
                                  "has the mean 0, of which there is no variation, must have %s",
-                                 families[u->distribution].names);
+                                 families[u->distribution].parameters);
     const pdmc_status status =
         pdmc_distribution_by_moments(u->distribution, mean, u->given.value[PDMC_PARAMETER_VARIATION], &u->law);
     if (status == PDMC_OK) return PDMC_OK;
-    return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "variation"}, "%s", pdmc_last_error());
+    return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "distribution"}, "%s",
+                             pdmc_last_error());
 }
 
 static void law_by_parameters(pdmc_uncertainty *u)

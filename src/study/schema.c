@@ -28,10 +28,11 @@
     {SECTION_RANDOM, key, KIND_OPTIONAL, .range = allowed, .offset = offsetof(pdmc_uncertainty, given.value[id]),       \
      .flag = offsetof(pdmc_uncertainty, given.has[id]), .quantities = SCALAR, .fallback = "none", .doc = text}
 
-#define ANY {-INFINITY, INFINITY, false}
-#define POSITIVE {0.0, INFINITY, true}
-#define NOT_NEGATIVE {0.0, INFINITY, false}
-#define FROM_TO(low, high) {(low), (high), false}
+#define ANY {-INFINITY, INFINITY, false, false}
+#define POSITIVE {0.0, INFINITY, true, false}
+#define NOT_NEGATIVE {0.0, INFINITY, false, false}
+#define FROM_TO(low, high) {(low), (high), false, false}
+#define ABOVE_TO(low, high) {(low), (high), true, false}
 
 const pdmc_study_section pdmc_study_sections[SECTIONS] = {
     [SECTION_TOP] = {.name = "", .doc = "the study as a whole"},
@@ -62,7 +63,7 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
                               .check = pdmc_study_check_correlations},
     [SECTION_SAMPLING] = {.name = "sampling", .doc = "the Monte Carlo simulation", OF(PDMC_STATIC),
                           .check = pdmc_study_check_sampling},
-    [SECTION_RELIABILITY] = {.name = "reliability", OF(PDMC_STATIC),
+    [SECTION_RELIABILITY] = {.name = "reliability", OF(PDMC_STATIC), .check = pdmc_study_check_reliability,
                              .doc = "the probability that any tip grows, where it is rare, and what it comes from"},
     [SECTION_ENERGY] = {.name = "energy", .doc = "the energy release rates that are asked for",
                         OF(PDMC_STATIC), .check = pdmc_study_check_energy},
@@ -254,11 +255,11 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .doc = "a scalar quantity of random"},
     {SECTION_CORRELATIONS, "second", KIND_CHOICE, .offset = offsetof(pdmc_correlation, second), .choices = QUANTITIES,
      .doc = "another one"},
-    {SECTION_CORRELATIONS, "correlation", KIND_REAL, .range = {-1.0, 1.0, true},
-     .offset = offsetof(pdmc_correlation, correlation), .doc = "of the normal variables behind the two, below 1"},
+    {SECTION_CORRELATIONS, "correlation", KIND_REAL, .range = {-1.0, 1.0, true, true},
+     .offset = offsetof(pdmc_correlation, correlation), .doc = "of the normal variables behind the two"},
 
     {SECTION_SAMPLING, "samples", KIND_INT, .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.samples),
-     .fallback = "1000", .doc = "a smaller number is a prefix of a larger one"},
+     .fallback = "1000", .doc = "a smaller number is a prefix of a larger one, but for a Latin hypercube"},
     {SECTION_SAMPLING, "design", KIND_CHOICE, .offset = IN_PROBLEM(sampling.design), .choices = DESIGNS,
      .fallback = "monte_carlo",
      .doc = "independent samples, or replicates of a Latin hypercube or of a scrambled Sobol' sequence, which need fewer"},
@@ -270,22 +271,23 @@ const pdmc_study_setting pdmc_study_settings[] = {
             "conjugate gradients; or by a reduced model with a bound of its error"},
     {SECTION_SAMPLING, "order", KIND_INT, .range = FROM_TO(0, 8), .offset = IN_PROBLEM(sampling.order), .fallback = "4",
      .doc = "of the Neumann expansion"},
-    {SECTION_SAMPLING, "tolerance", KIND_REAL, .range = {0.0, 0.1, true}, .offset = IN_PROBLEM(sampling.tolerance),
+    {SECTION_SAMPLING, "tolerance", KIND_REAL, .range = ABOVE_TO(0.0, 0.1), .offset = IN_PROBLEM(sampling.tolerance),
      .fallback = "1e-8", .doc = "of the relative residual of inverse = \"krylov\""},
-    {SECTION_SAMPLING, "energy_tolerance", KIND_REAL, .range = {0.0, 0.1, true},
+    {SECTION_SAMPLING, "energy_tolerance", KIND_REAL, .range = ABOVE_TO(0.0, 0.1),
      .offset = IN_PROBLEM(sampling.energy_tolerance), .fallback = "1e-3",
      .doc = "of the relative error of a sample's largest energy, of inverse = \"reduced\""},
 
     {SECTION_RELIABILITY, "method", KIND_CHOICE, .offset = IN_PROBLEM(reliability.method), .choices = RARE_METHODS,
      .fallback = "none",
      .doc = "importance sampling at the design point, which is found first; subset simulation; or both, to compare"},
-    {SECTION_RELIABILITY, "variation", KIND_REAL, .range = {0.0, 1.0, true}, .offset = IN_PROBLEM(reliability.variation),
+    {SECTION_RELIABILITY, "variation", KIND_REAL, .range = ABOVE_TO(0.0, 1.0), .offset = IN_PROBLEM(reliability.variation),
      .fallback = "0.05", .doc = "coefficient of variation of the probability at which sampling stops"},
     {SECTION_RELIABILITY, "evaluations", KIND_INT, .range = FROM_TO(1000, 1000000000),
-     .offset = IN_PROBLEM(reliability.evaluations), .fallback = "1000000", .doc = "at most, of each method"},
+     .offset = IN_PROBLEM(reliability.evaluations), .fallback = "1000000",
+     .doc = "samples solved at most, of each method; but subset simulation takes some 8000 at least"},
     {SECTION_RELIABILITY, "sensitivity", KIND_INT, .range = FROM_TO(0, 10000000),
      .offset = IN_PROBLEM(reliability.sensitivity), .fallback = "0",
-     .doc = "samples of the Sobol' indices of log G / G_c, each solved once and once more for every quantity; 0 for none"},
+     .doc = "samples of the Sobol' indices of log G / G_c, each solved twice and once more for every quantity; 0 for none"},
 
     {SECTION_ENERGY, "tips", KIND_TIPS, .offset = NOT_STORED, .fallback = "all tips",
      .doc = "[\"<crack>.from\", \"<crack>.to\", ...]"},
@@ -374,6 +376,8 @@ void pdmc_study_print_range(FILE *out, const pdmc_study_setting *setting)
     else if (setting->kind == KIND_REALS) fputs("an array of 2 reals or more, [x1, x2, ...]", out);
     else if (!isfinite(range->low)) fputs("finite", out);
     else if (!isfinite(range->high)) fprintf(out, "%s %.15g", range->excluded ? ">" : ">=", range->low);
+    else if (range->excluded)
+        fprintf(out, "> %.15g and %s %.15g", range->low, range->below ? "<" : "<=", range->high);
     else fprintf(out, "from %.15g to %.15g", range->low, range->high);
 }
 

@@ -102,10 +102,11 @@ typedef struct {
     const char *length, *force, *time;
 } pdmc_study_units;
 
-/// low <= x <= high, or low < x where the bound is excluded.
+/// low <= x <= high, or low < x where the bound is excluded, or x < high where it must stay below.
 typedef struct {
     double low, high;
     bool excluded; // low itself
+    bool below;    // high itself is
 } pdmc_study_range;
 
 typedef struct {
@@ -275,4 +276,5 @@ PDMC_NODISCARD pdmc_status pdmc_study_check_correlations(const pdmc_study_reader
 /// Completes the distribution of a scalar from the parameters that the file gives.
 PDMC_NODISCARD pdmc_status pdmc_study_make_law(const pdmc_study_reader *reader, int index);
 PDMC_NODISCARD pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_reliability(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_energy(const pdmc_study_reader *reader);

@@ -21,7 +21,8 @@ typedef pdmc_status read_function(const pdmc_study_record *r, const pdmc_study_s
 
 static bool in_range(const pdmc_study_range *range, double x)
 {
-    return isfinite(x) && (range->excluded ? range->low < x : range->low <= x) && x <= range->high;
+    return isfinite(x) && (range->excluded ? range->low < x : range->low <= x) &&
+           (range->below ? x < range->high : x <= range->high);
 }
 
 static double number(const config_setting_t *value)
@@ -191,8 +192,8 @@ static pdmc_status read_reals(const pdmc_study_record *r, const pdmc_study_setti
 }
 
 static read_function *const readers[KINDS] = {
-    [KIND_REAL] = read_real, [KIND_OPTIONAL] = read_optional, [KIND_PAIR] = read_pair, [KIND_INT] = read_int,
-    [KIND_SEED] = read_seed, [KIND_TEXT] = read_text,         [KIND_NAME] = read_name, [KIND_CHOICE] = read_choice,
+    [KIND_REAL] = read_real, [KIND_OPTIONAL] = read_optional, [KIND_PAIR] = read_pair,   [KIND_INT] = read_int,
+    [KIND_SEED] = read_seed, [KIND_TEXT] = read_text,         [KIND_NAME] = read_name,   [KIND_CHOICE] = read_choice,
     [KIND_TIPS] = read_tips, [KIND_REALS] = read_reals,       [KIND_CRACK] = read_crack,
 };
 

@@ -210,11 +210,11 @@ static void settings_of_another_solver(void **state)
         {LINE_SOLVER, "solver = { crack_model = \"visible\"; shape = 1; };",
          "study.cfg:7: solver.shape: is no setting of the crack_model \"visible\""},
         {LINE_SAMPLING, "sampling = { inverse = \"reduced\"; };",
-         "study.cfg:9: sampling.inverse: \"reduced\" needs the symmetric matrix of method = \"bond\", must be "
-         "\"direct\" or \"neumann\""},
+         "study.cfg:9: sampling.inverse: \"reduced\" needs a symmetric matrix, as of method = \"bond\" or of a random "
+         "stiffness, must be \"direct\" or \"neumann\""},
         {LINE_SAMPLING, "sampling = { inverse = \"krylov\"; };",
-         "study.cfg:9: sampling.inverse: \"krylov\" needs the symmetric matrix of method = \"bond\", must be "
-         "\"direct\" or \"neumann\""},
+         "study.cfg:9: sampling.inverse: \"krylov\" needs a symmetric matrix, as of method = \"bond\" or of a random "
+         "stiffness, must be \"direct\" or \"neumann\""},
     };
     EXPECT(mistakes);
     pdmc_study study; // outside of the solver's own section

@@ -22,7 +22,7 @@ static const char everything[] =
     "           { quantity = \"stiffness\"; distribution = \"lognormal\"; correlation_length = 0.5; },\n"
     "           { quantity = \"fracture_energy\"; distribution = \"weibull\"; scale = 0.3; shape = 7; most = 0.4; },\n"
     "           { quantity = \"thickness\"; distribution = \"triangular\"; lower = 0.2; mode = 0.3; upper = 0.5; },\n"
-    "           { quantity = \"youngs_modulus\"; distribution = \"empirical\"; values = [3, 1.5, 2e3, 0.1]; } );\n"
+    "           { quantity = \"youngs_modulus\"; distribution = \"empirical\"; values = [3.0, 1.5, 2e3, 0.1]; } );\n"
     "correlations = ( { first = \"load\"; second = \"thickness\"; correlation = -0.3; } );\n"
     "sampling = { samples = 12345; inverse = \"direct\"; order = 2; };\n"
     "energy = { tips = [\"crack2.to\", \"left-1.from\"]; angles = 36; horizon = 0.04; extension = 0.005;\n"
@@ -224,6 +224,7 @@ static void every_setting_is_described_on_its_line(void **state)
         }
         assert_int_equal(s->section, section);
         assert_ptr_equal(strstr(line, s->key), line + 4);
+        assert_true(line[4 + strlen(s->key)] == ' ');
         assert_non_null(strstr(line, s->fallback ? s->fallback : "required"));
         assert_non_null(strstr(line, s->doc));
         s++;
@@ -237,8 +238,8 @@ static void a_line_of_the_description_says_it_all(void **state)
     (void)state;
     char *text;
     CHECK_OK(pdmc_study_describe(&text));
-    assert_non_null(strstr(text, "    thickness         a real > 0; length; default 1.0; extent out of the plane\n"));
-    assert_non_null(strstr(text, "    youngs_modulus    a real > 0; force/length^2; required; Young's modulus E\n"));
+    assert_non_null(strstr(text, "    thickness          a real > 0; length; default 1.0; extent out of the plane\n"));
+    assert_non_null(strstr(text, "    youngs_modulus     a real > 0; force/length^2; required; Young's modulus E\n"));
     free(text);
 }
 
