@@ -302,6 +302,53 @@ static void make_probabilities(pdmc_results *r)
     }
 }
 
+static void make_record(pdmc_reliability_record *record, const char *name, double p, double evaluations)
+{
+    snprintf(record->name, sizeof record->name, "%s", name);
+    record->found = (pdmc_reliability){.probability = {p, 0.9 * p, 1.1 * p},
+                                       .index = {3.7, 3.6, 3.8},
+                                       .variation = 0.047,
+                                       .effective_samples = 0.2 * evaluations,
+                                       .largest_share = 0.003};
+    record->evaluations = evaluations;
+    record->complete = 1;
+}
+
+static void make_group(pdmc_reliability_group *group, const char *name, int variables, double share)
+{
+    snprintf(group->name, sizeof group->name, "%s", name);
+    group->variables = variables;
+    group->importance = share;
+    group->first = about(share, 0.02);
+    group->total = about(share + 0.01, 0.02);
+}
+
+/// Rare growth by both methods, from a load and a c(r); the samples that failed have no part in it.
+static void make_reliability(pdmc_results *r)
+{
+    pdmc_reliability_results *to = &r->reliability;
+    r->growth_given_rest = NEW(r->sample_count * r->tip_count, double);
+    r->conditional_probability = NEW(r->tip_count, pdmc_estimate);
+    for (int i = 0; i < r->sample_count * r->tip_count; i++)
+        r->growth_given_rest[i] = i < r->failed_count * r->tip_count ? NAN : 0.31 / (i + 1);
+    for (int t = 0; t < r->tip_count; t++) r->conditional_probability[t] = about(0.31, 0.007);
+    to->record_count = to->group_count = 2;
+    to->records = NEW(2, pdmc_reliability_record);
+    to->groups = NEW(2, pdmc_reliability_group);
+    make_record(&to->records[0], "importance sampling", 1.014e-4, 4000.0);
+    make_record(&to->records[1], "subset simulation", 1.045e-4, 153160.0);
+    make_group(&to->groups[0], "load", 1, 0.95);
+    make_group(&to->groups[1], "micromodulus", r->bin_count, 0.05);
+    to->records[1].failed = r->failed_count;
+    to->variable_count = 1 + r->bin_count;
+    to->design_point = NEW(to->variable_count, double);
+    to->design_point[0] = 3.61;
+    to->first_order_index = 3.719;
+    to->first_order_probability = 1e-4;
+    to->first_order_evaluations = 22.0;
+    r->runtime.reliability = 0.83;
+}
+
 /// A plate on a spring of damping 0.3, mass and stiffness 1 that is loaded suddenly.
 static void make_motion(pdmc_results *r, int times)
 {
@@ -347,6 +394,7 @@ pdmc_results made_up_results(made_up_size size)
     make_samples(&r);
     make_statistics(&r);
     make_probabilities(&r);
+    if (r.kind == PDMC_STATIC) make_reliability(&r);
     if (r.kind == PDMC_DYNAMIC) make_motion(&r, size.times);
     return r;
 }

@@ -73,6 +73,34 @@ static void check_fields(const pdmc_results *a, const pdmc_results *b)
     }
 }
 
+static void check_reliability(const pdmc_results *a, const pdmc_results *b)
+{
+    const pdmc_reliability_results *x = &a->reliability, *y = &b->reliability;
+    const size_t tips = (size_t)a->tip_count, given = (size_t)a->sample_count * tips;
+    assert_memory_equal(a->growth_given_rest, b->growth_given_rest, given * sizeof(double));
+    assert_memory_equal(a->conditional_probability, b->conditional_probability, tips * sizeof(pdmc_estimate));
+    assert_int_equal(x->record_count, y->record_count);
+    for (int i = 0; i < x->record_count; i++) {
+        assert_string_equal(x->records[i].name, y->records[i].name);
+        assert_memory_equal(&x->records[i].found.probability, &y->records[i].found.probability, sizeof(pdmc_estimate));
+        assert_memory_equal(&x->records[i].found.index, &y->records[i].found.index, sizeof(pdmc_estimate));
+        assert_memory_equal(&x->records[i].found.variation, &y->records[i].found.variation, 3 * sizeof(double));
+        assert_memory_equal(&x->records[i].evaluations, &y->records[i].evaluations, 2 * sizeof(double));
+        assert_int_equal(x->records[i].complete, y->records[i].complete);
+    }
+    assert_int_equal(x->group_count, y->group_count);
+    for (int g = 0; g < x->group_count; g++) {
+        assert_string_equal(x->groups[g].name, y->groups[g].name);
+        assert_int_equal(x->groups[g].variables, y->groups[g].variables);
+        assert_memory_equal(&x->groups[g].importance, &y->groups[g].importance, sizeof(double));
+        assert_memory_equal(&x->groups[g].first, &y->groups[g].first, 2 * sizeof(pdmc_estimate));
+    }
+    assert_int_equal(x->variable_count, y->variable_count);
+    assert_memory_equal(x->design_point, y->design_point, (size_t)x->variable_count * sizeof(double));
+    assert_memory_equal(&x->first_order_index, &y->first_order_index, 4 * sizeof(double));
+    assert_memory_equal(&a->runtime.reliability, &b->runtime.reliability, sizeof(double));
+}
+
 static void check_motion(const pdmc_motion_record *a, const pdmc_motion_record *b)
 {
     const size_t n = (size_t)a->time_count * sizeof(double), probes = (size_t)a->probe_count;
@@ -111,6 +139,7 @@ static void what_is_written_is_read(void **state)
         CHECK_OK(pdmc_results_read(scratch_path("results.h5"), &b));
         check_equal(&a, &b);
         check_fields(&a, &b);
+        if (a.kind == PDMC_STATIC) check_reliability(&a, &b);
         if (a.kind == PDMC_DYNAMIC) check_motion(&a.motion, &b.motion);
         pdmc_results_clear(&a);
         pdmc_results_clear(&b);
