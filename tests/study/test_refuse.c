@@ -199,6 +199,35 @@ static void uncertain_quantities(void **state)
     EXPECT(mistakes);
 }
 
+static void random_cracks(void **state)
+{
+    (void)state;
+    const mistake mistakes[] = {
+        {LINE_RANDOM, "random = ( { quantity = \"load\"; crack = \"a\"; } );",
+         "study.cfg:8: random[0].crack: is no setting of the quantity \"load\""},
+        {LINE_RANDOM, "random = ( { quantity = \"crack_length\"; crack = \"b\"; } );",
+         "study.cfg:8: random[0].crack: no crack \"b\", did you mean \"a\"?"},
+        {LINE_RANDOM, "random = ( { quantity = \"crack_length\"; crack = 1; } );",
+         "study.cfg:8: random[0].crack: 1 is not allowed, must be the name of a crack"},
+        {LINE_RANDOM, "random = ( { quantity = \"crack_angle\"; } );",
+         "study.cfg:8: random[0].distribution: has the mean 0, of which there is no variation, must have location and scale"},
+        {LINE_RANDOM, "random = ( { quantity = \"crack_x\"; distribution = \"uniform\"; variation = 0.1; } );",
+         "study.cfg:8: random[0].distribution: has the mean 0, of which there is no variation, must have lower and upper"},
+        {LINE_RANDOM,
+         "random = ( { quantity = \"crack_length\"; }, { quantity = \"stiffness\"; correlation_length = 1; } );",
+         "study.cfg:8: random[0].quantity: makes another plate of every sample, with other modes of the stiffness: one of "
+         "the two must go"},
+        {LINE_RANDOM, "solver = { crack_model = \"paper\"; }; random = ( { quantity = \"crack_length\"; } );",
+         "study.cfg:8: random[0].quantity: needs a solution that converges, must not be with crack_model = \"paper\""},
+        {LINE_RANDOM, "random = ( { quantity = \"crack_length\"; } ); sampling = { inverse = \"reduced\"; };",
+         "study.cfg:8: sampling.inverse: \"reduced\" has one model for all samples, and cracks that move have one each, "
+         "must be \"direct\", \"neumann\" or \"krylov\""},
+        {LINE_CRACKS, "cracks = ( ); random = ( { quantity = \"crack_length\"; } );",
+         "study.cfg:4: random[0].crack: there are no cracks"},
+    };
+    EXPECT(mistakes);
+}
+
 static void settings_of_another_solver(void **state)
 {
     (void)state;
@@ -352,6 +381,7 @@ int main(void)
         cmocka_unit_test(defaults_out_of_range),
         cmocka_unit_test(wrong_words),
         cmocka_unit_test(uncertain_quantities),
+        cmocka_unit_test(random_cracks),
         cmocka_unit_test(settings_of_another_solver),
         cmocka_unit_test(grids_that_do_not_fit),
         cmocka_unit_test(cracks_in_wrong_places),

@@ -126,6 +126,24 @@ static void settings_of_every_solver_survive(void **state)
     }
 }
 
+static void random_cracks_survive(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    CHECK_OK(read_with(LINE_CRACKS,
+                       "cracks = ( { from = [-1, 0]; to = [0, 0]; }, { name = \"b\"; from = [1, 0]; to = [1.0, 1.5]; } );\n"
+                       "random = ( { quantity = \"crack_angle\"; crack = \"b\"; location = 1; scale = 10; },\n"
+                       "           { quantity = \"crack_x\"; distribution = \"uniform\"; lower = -1; upper = 0.5; },\n"
+                       "           { quantity = \"crack_length\"; crack = \"b\"; } );",
+                       &study));
+    const pdmc_uncertainty *uncertain = study.problem.uncertainties;
+    assert_int_equal(uncertain[0].crack, 1);
+    assert_int_equal(uncertain[1].crack, 0);
+    CHECK_NEAR(pdmc_distribution_value(&uncertain[2].law, 1.0), 1.2 * 1.5, 1e-15); // the crack's length, and 20 % of it
+    expect_round_trip(&study);
+    pdmc_study_clear(&study);
+}
+
 static void defaults_survive(void **state)
 {
     (void)state;
@@ -272,6 +290,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_setting_survives),
         cmocka_unit_test(settings_of_every_solver_survive),
+        cmocka_unit_test(random_cracks_survive),
         cmocka_unit_test(defaults_survive),
         cmocka_unit_test(shipped_studies_survive),
         cmocka_unit_test(a_dynamic_study_survives),

@@ -77,6 +77,34 @@ static void each_tip_has_its_own_crack(void **state)
            "then sees the whole crack, not the tip (advised: at most 0.1)\n");
 }
 
+static void cracks_that_may_not_be(void **state)
+{
+    (void)state;
+    expect(LINE_RANDOM, "random = ( { quantity = \"crack_length\"; variation = 0.1; } );", "");
+    // four horizons of min(a / 5, height / 50) = 0.08, of a length uniform on [0.12, 1.12]: 0.2
+    expect(
+        LINE_RANDOM,
+        "random = ( { quantity = \"crack_length\"; distribution = \"uniform\"; lower = 0.12; upper = 1.12; } );",
+        "study.cfg:8: warning: random[0].distribution: is below 0.32, too short for the solver, with probability 0.2: "
+        "such samples fail\n");
+    expect(LINE_CRACKS,
+           "cracks = ( { from = [-3, 0]; to = [-2, 0]; } ); solver = { crack_model = \"visible\"; };\n"
+           "random = ( { quantity = \"crack_y\"; location = 0; scale = 0.1; } );",
+           "study.cfg:5: warning: random[0].quantity: moves the end of \"crack1\" that is on an edge: samples in which "
+           "it is "
+           "inside the plate fail, an end well beyond the edge stays outside\n");
+    expect(
+        LINE_RANDOM,
+        "solver = { method = \"bond\"; spacing = 0.1; horizon = 0.2; }; energy = { extension = 0.1; };\n"
+        "random = ( { quantity = \"crack_x\"; location = 0; scale = 0.1; },\n"
+        "           { quantity = \"crack_y\"; location = 0; scale = 0.1; } );",
+        "study.cfg:9: warning: random[0].quantity: moves the crack between the nodes of a grid: energies jump by the "
+        "bonds that it cuts, so that design points and small changes are those of the grid\n"
+        "study.cfg:8: warning: energy.extension: extension 0.1 is 0.5 times the energy horizon 0.2: G_E then measures "
+        "the field at a distance from the tip, not at it (advised: at most 0.25 of the horizon); the paper's own case "
+        "has extension = crack half length\n");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -85,6 +113,7 @@ int main(void)
         cmocka_unit_test(the_recipe_that_is_there_for_the_record),
         cmocka_unit_test(energy_lengths_that_do_not_fit),
         cmocka_unit_test(each_tip_has_its_own_crack),
+        cmocka_unit_test(cracks_that_may_not_be),
     };
     return cmocka_run_group_tests(tests, enter_folder, leave_folder);
 }
