@@ -19,14 +19,27 @@ const char *pdmc_one_line(char text[PDMC_LINE_SIZE], const char *from)
     return text;
 }
 
+// Of the samples: their range where it is random.
+static void print_toughness(const pdmc_results *r, FILE *stream)
+{
+    double least = INFINITY, most = -INFINITY;
+    for (int s = 0; s < r->sample_count && r->sample_fracture_energy; s++) {
+        least = fmin(least, r->sample_fracture_energy[s]);
+        most = fmax(most, r->sample_fracture_energy[s]);
+    }
+    if (least < most) fprintf(stream, "from %.4g to %.4g", least, most);
+    else fprintf(stream, "= %.6g", r->fracture_energy);
+}
+
 static void print_sampling(const pdmc_results *r, FILE *stream)
 {
     char unit[PDMC_UNIT_SIZE], text[PDMC_LINE_SIZE];
     pdmc_results_unit(r, PDMC_UNIT_ENERGY, sizeof unit, unit);
     fprintf(stream, "  %d samples from seed %llu, %d failed; [intervals] at %g %% confidence\n", r->sample_count,
             (unsigned long long)r->seed, r->failed_count, 100.0 * r->confidence);
-    fprintf(stream, "  the %s energy decides P(G > G_c) and the direction; G_c = %.6g %.20s\n",
-            pdmc_measure_title(r->measure), r->fracture_energy, pdmc_one_line(text, unit));
+    fprintf(stream, "  the %s energy decides P(G > G_c) and the direction; G_c ", pdmc_measure_title(r->measure));
+    print_toughness(r, stream);
+    fprintf(stream, " %.20s\n", pdmc_one_line(text, unit));
     fprintf(stream, "  bond energies count %s\n", r->bonds == PDMC_BONDS_ALL ? "all bonds" : "bonds in tension only");
 }
 
@@ -182,8 +195,10 @@ static void print_foot(const pdmc_results *r, FILE *stream)
     if (r->kind == PDMC_DYNAMIC) {
         fprintf(stream, "         motion %.2f, output %.2f\n", t->motion, t->output);
     } else {
-        fprintf(stream, "         sampling %.2f, energy %.2f, statistics %.2f, output %.2f\n", t->sampling, t->energy,
-                t->statistics, t->output);
+        fprintf(stream, "         sampling %.2f, energy %.2f, statistics %.2f, ", t->sampling, t->energy,
+                t->statistics);
+        if (r->reliability.group_count > 0) fprintf(stream, "rare growth %.2f, ", t->reliability);
+        fprintf(stream, "output %.2f\n", t->output);
     }
     print_memory(t->peak_memory, stream);
 }

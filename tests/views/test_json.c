@@ -50,6 +50,46 @@ static void it_has_what_programs_ask(void **state)
     pdmc_results_clear(&results);
 }
 
+static void check_estimate(const json_t *object, const char *key, const pdmc_estimate *want)
+{
+    const json_t *got = json_object_get(object, key);
+    CHECK_NEAR(json_real_value(json_object_get(got, "value")), want->value, 0.0);
+    CHECK_NEAR(json_real_value(json_object_get(got, "lower")), want->lower, 0.0);
+    CHECK_NEAR(json_real_value(json_object_get(got, "upper")), want->upper, 0.0);
+}
+
+static void rare_growth_is_there(void **state)
+{
+    (void)state;
+    pdmc_results results = made_up_results(made_up_small);
+    const pdmc_reliability_results *r = &results.reliability;
+    results.reliability.groups[0].importance = NAN;
+    json_t *object = parsed(&results), *reliability = json_object_get(object, "reliability");
+    const json_t *methods = json_object_get(reliability, "methods"), *subset = json_array_get(methods, 1);
+    const json_t *quantities = json_object_get(reliability, "quantities"), *load = json_array_get(quantities, 0);
+    const json_t *first_order = json_object_get(reliability, "first_order");
+    assert_int_equal(json_array_size(methods), 2);
+    assert_string_equal(json_string_value(json_object_get(subset, "method")), "subset simulation");
+    check_estimate(subset, "probability", &r->records[1].found.probability);
+    check_estimate(subset, "index", &r->records[1].found.index);
+    CHECK_NEAR(json_real_value(json_object_get(subset, "evaluations")), 153160.0, 0.0);
+    CHECK_NEAR(json_real_value(json_object_get(subset, "failed")), 2.0, 0.0);
+    CHECK_NEAR(json_real_value(json_object_get(subset, "coefficient_of_variation")), 0.047, 0.0);
+    assert_true(json_is_true(json_object_get(subset, "complete")));
+    assert_int_equal(json_array_size(quantities), 2);
+    assert_string_equal(json_string_value(json_object_get(load, "name")), "load");
+    check_estimate(load, "first_index", &r->groups[0].first);
+    check_estimate(load, "total_index", &r->groups[0].total);
+    assert_true(json_is_null(json_object_get(load, "importance")));
+    CHECK_NEAR(json_real_value(json_object_get(first_order, "index")), 3.719, 0.0);
+    assert_int_equal(json_array_size(json_object_get(first_order, "design_point")), 1 + made_up_small.radial_bins);
+    check_estimate(json_array_get(json_object_get(object, "tips"), 1), "conditional_probability",
+                   &results.conditional_probability[1]);
+    CHECK_NEAR(json_real_value(json_object_get(json_object_get(object, "runtime"), "reliability")), 0.83, 0.0);
+    json_decref(object);
+    pdmc_results_clear(&results);
+}
+
 static void a_motion_is_there_where_there_is_one(void **state)
 {
     (void)state;
@@ -149,6 +189,7 @@ int main(void)
         cmocka_unit_test(what_is_no_number_is_null),
         cmocka_unit_test(odd_texts_and_seeds_are_written),
         cmocka_unit_test(a_full_disk_is_seen),
+        cmocka_unit_test(rare_growth_is_there),
         cmocka_unit_test(a_motion_is_there_where_there_is_one),
         cmocka_unit_test(refused_memory_is_reported),
     };

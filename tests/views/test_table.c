@@ -51,6 +51,58 @@ static void it_says_what_a_person_asks(void **state)
     pdmc_results_clear(&results);
 }
 
+static void expect_parts(const pdmc_results *results, const char *const parts[], size_t count)
+{
+    char *text = captured(pdmc_view_table, results);
+    for (size_t i = 0; i < count; i++)
+        if (!strstr(text, parts[i])) fail_msg("the table does not say \"%s\":\n%s", parts[i], text);
+    check_width(text);
+    free(text);
+}
+
+#define EXPECT_PARTS(results, ...)                                                                                     \
+    do {                                                                                                               \
+        const char *const parts_[] = {__VA_ARGS__};                                                                    \
+        expect_parts((results), parts_, sizeof parts_ / sizeof parts_[0]);                                             \
+    } while (0)
+
+static void rare_growth_is_told_by_every_method(void **state)
+{
+    (void)state;
+    pdmc_results results = made_up_results(made_up_small);
+    pdmc_reliability_results *r = &results.reliability;
+    EXPECT_PARTS(&results, "  P(G > G_c) = 0.31 [0.303, 0.317] with the load integrated analytically\n",
+                 "\ngrowth of any tip, and the margin log G / G_c\n",
+                 "first order          P = 0.0001, index 3.719 after 22 points; no error known\n",
+                 "importance sampling  P = 0.0001014 [9.126e-05, 0.0001115], index 3.7 [3.6, 3.8]\n",
+                 "coefficient of variation 0.047 after 4000 points\n", "after 153160 points, 2 failed\n",
+                 "  load                     0.95       0.95 [0.93, 0.97]             0.96 [0.94, 0.98]\n",
+                 "rare growth 0.83, ");
+    r->records[0].complete = 0;
+    r->records[1].found.probability.lower = 2e-4;
+    r->first_order_index = NAN;
+    r->solved_in_full = 17.0;
+    for (int g = 0; g < r->group_count; g++) r->groups[g].total = r->groups[g].first = (pdmc_estimate){NAN, NAN, NAN};
+    for (int t = 0; t < results.tip_count; t++) results.conditional_probability[t].value = NAN;
+    EXPECT_PARTS(&results, "no design point found after 22 points\n", "after 4000 points, NOT CONVERGED\n",
+                 "  THE INTERVALS ARE APART: ", "  load                     0.95\n", "  17 points solved in full\n");
+    char *text = captured(pdmc_view_table, &results);
+    assert_null(strstr(text, "integrated"));
+    assert_null(strstr(text, "Sobol'"));
+    free(text);
+    pdmc_results_clear(&results);
+}
+
+static void a_random_toughness_has_a_range(void **state)
+{
+    (void)state;
+    pdmc_results results = made_up_results(made_up_small);
+    results.sample_fracture_energy[3] = 0.1;
+    results.sample_fracture_energy[4] = 0.25;
+    EXPECT_PARTS(&results, "decides P(G > G_c) and the direction; G_c from 0.1 to 0.25 N/cm\n");
+    pdmc_results_clear(&results);
+}
+
 static void a_motion_ends_somewhere(void **state)
 {
     (void)state;
@@ -100,6 +152,9 @@ static void it_fits_whatever_the_numbers(void **state)
         for (int k = 0; k < results.tip_count * results.angle_count; k++)
             results.nominal_bond_energy_tensile[k] *= factors[i];
         results.seed = UINT64_MAX;
+        results.reliability.records[0].found.probability = (pdmc_estimate){1.234567e-12, 1.123456e-12, 1.345678e-12};
+        results.reliability.groups[0].first = (pdmc_estimate){-1.234567e-12, -1.345678e-12, -1.123456e-12};
+        results.reliability.groups[0].total = results.reliability.groups[0].first;
         char *text = captured(pdmc_view_table, &results);
         check_width(text);
         free(text);
@@ -166,6 +221,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(it_says_what_a_person_asks),
         cmocka_unit_test(it_fits_whatever_the_numbers),
+        cmocka_unit_test(rare_growth_is_told_by_every_method),
+        cmocka_unit_test(a_random_toughness_has_a_range),
         cmocka_unit_test(a_motion_ends_somewhere),
         cmocka_unit_test(odd_results_are_shown),
         cmocka_unit_test(texts_cannot_drive_the_terminal),
