@@ -76,7 +76,7 @@ static void rare_growth_is_told_by_every_method(void **state)
                  "first order          P = 0.0001, index 3.719 after 22 points; no error known\n",
                  "importance sampling  P = 0.0001014 [9.126e-05, 0.0001115], index 3.7 [3.6, 3.8]\n",
                  "coefficient of variation 0.047 after 4000 points\n", "after 153160 points, 2 failed\n",
-                 "  load                     0.95       0.95 [0.93, 0.97]             0.96 [0.94, 0.98]\n",
+                 "  load                     0.95       0.95 [0.93, 0.97]               0.96 [0.94, 0.98]\n",
                  "rare growth 0.83, ");
     r->records[0].complete = 0;
     r->records[1].found.probability.lower = 2e-4;
