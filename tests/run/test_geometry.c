@@ -61,30 +61,85 @@ static void run_with_crack(pdmc_study *study, const pdmc_crack *crack, pdmc_resu
     study->problem.uncertainty_count = count;
 }
 
-static void samples_are_plates_with_their_cracks(void **state)
+// Every sample against the plate that has its crack.
+static void check_samples(pdmc_study *study, double tolerance)
 {
-    (void)state;
-    enum { SAMPLES = 4, DIRECTIONS = 16 };
-    const double tolerance = 1e-5; // ends are rounded otherwise, and a system of condition 1e10 makes that larger
-    pdmc_study study;
+    const pdmc_run_options options = {.threads = 2};
     pdmc_results all, one;
-    read_study(CRACK, ALL, "samples = 4;", &study);
-    run_with(CRACK, ALL, "samples = 4;", 2, &all);
-    study.problem.sampling.samples = 1;
-    for (int s = 0; s < SAMPLES; s++) {
-        const pdmc_crack crack = crack_of(&study.problem, s);
-        run_with_crack(&study, &crack, &one);
+    CHECK_OK(pdmc_run(study, &options, &all));
+    const int directions = all.tip_count * all.angle_count;
+    for (int s = 0; s < all.sample_count; s++) {
+        const pdmc_crack crack = crack_of(&study->problem, s);
+        run_with_crack(study, &crack, &one);
         assert_int_equal(all.failure[s], PDMC_SAMPLE_OK);
         for (int k = 0; k < 4; k++)
             CHECK_NEAR(all.stress_intensity[4 * s + k], one.tips[k / 2].stress_intensity[k % 2], tolerance);
-        for (int d = 0; d < DIRECTIONS; d++) {
-            const int place = DIRECTIONS * s + d;
+        for (int d = 0; d < directions; d++) {
+            const int place = directions * s + d;
             CHECK_NEAR(all.energy[PDMC_MEASURE_BOND][place], one.nominal_bond_energy[d], tolerance);
             CHECK_NEAR(all.energy[PDMC_MEASURE_GRIFFITH][place], one.nominal_griffith_energy[d], tolerance);
         }
         pdmc_results_clear(&one);
     }
     pdmc_results_clear(&all);
+}
+
+// Ends are rounded otherwise than those of the study, and a system of condition 1e10 makes that larger.
+static const double rounding = 1e-5;
+
+static void samples_are_plates_with_their_cracks(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    read_study(CRACK, ALL, "samples = 4;", &study);
+    check_samples(&study, rounding);
+    pdmc_study_clear(&study);
+}
+
+static void visible_cracks_move(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    read_study(CRACK, ALL, "samples = 1;", &study);
+    study.problem.solver.crack_model = PDMC_CRACKS_VISIBLE;
+    study.problem.solver.refinement = 2;
+    study.problem.solver.horizon = 0.1;
+    check_samples(&study, rounding);
+    pdmc_study_clear(&study);
+}
+
+// So large that METIS orders it.
+static void read_grid(const char *random, const char *sampling, pdmc_study *study)
+{
+    pdmc_solver_options *solver = &study->problem.solver;
+    read_study(CRACK, random, sampling, study);
+    solver->method = PDMC_METHOD_BOND;
+    solver->spacing = solver->load_layer = study->problem.energy.extension = 0.0625;
+    solver->horizon = study->problem.energy.horizon = 0.25;
+    solver->area = PDMC_AREA_EXACT;
+}
+
+static void cracks_move_through_a_grid(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    read_grid(ALL, "samples = 2;", &study);
+    check_samples(&study, rounding);
+    pdmc_study_clear(&study);
+}
+
+static void orderings_at_a_time_change_nothing(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    pdmc_results one, many;
+    const pdmc_run_options alone = {.threads = 1}, together = {.threads = 3};
+    read_grid(ALL, "samples = 3;", &study);
+    CHECK_OK(pdmc_run(&study, &alone, &one));
+    CHECK_OK(pdmc_run(&study, &together, &many));
+    assert_same_samples(&one, &many, 3);
+    pdmc_results_clear(&one);
+    pdmc_results_clear(&many);
     pdmc_study_clear(&study);
 }
 
@@ -296,6 +351,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(samples_are_plates_with_their_cracks),
+        cmocka_unit_test(visible_cracks_move),
+        cmocka_unit_test(cracks_move_through_a_grid),
+        cmocka_unit_test(orderings_at_a_time_change_nothing),
         cmocka_unit_test(longer_cracks_have_larger_intensities),
         cmocka_unit_test(turned_cracks_have_turned_tips),
         cmocka_unit_test(threads_change_nothing),
