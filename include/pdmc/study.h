@@ -24,6 +24,10 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_study_read(const char *path, pdmc_study
 /// Writes `study->resolved` anew after the problem was changed (another seed, another number of samples).
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_study_resolve(pdmc_study *study);
 
+/// Takes another number of samples, and writes study->resolved anew.
+/// @return PDMC_OK, PDMC_ERR_ARG where it is no multiple of the design's replicates, or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_study_set_samples(pdmc_study *study, int samples);
+
 /// The table of settings as text, one line a setting: key, kind, unit, range, default, meaning. Free with free().
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_study_describe(char **text);
 

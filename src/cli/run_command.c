@@ -26,8 +26,8 @@ static pdmc_status read_study(const arguments *given, pdmc_study *study)
     if (study->problem.kind == PDMC_DYNAMIC && (given->has_seed || given->samples > 0) && !given->quiet)
         fprintf(stderr, "pdmc: warning: a dynamic study draws no samples, their number and seed change nothing\n");
     if (given->has_seed) study->problem.sampling.seed = given->seed;
-    if (given->samples > 0) study->problem.sampling.samples = given->samples;
-    if (given->has_seed || given->samples > 0) status = pdmc_study_resolve(study);
+    if (given->has_seed) status = pdmc_study_resolve(study);
+    if (given->samples > 0 && status == PDMC_OK) status = pdmc_study_set_samples(study, given->samples);
     if (status == PDMC_OK && !given->quiet) fputs(study->warnings, stderr);
     return status;
 }
@@ -53,15 +53,24 @@ static const char *counted(pdmc_problem_kind kind)
     return kind == PDMC_STATIC ? "samples" : "time steps";
 }
 
+static void tell_interruption(const pdmc_results *results, const char *path)
+{
+    const bool is_static = results->kind == PDMC_STATIC;
+    if (results->reliability.group_count > 0)
+        fprintf(stderr, "pdmc: interrupted: all %d samples are saved in %s, rare growth is not complete\n",
+                results->sample_count, path);
+    else
+        fprintf(stderr, "pdmc: interrupted: the first %d %s are saved in %s\n",
+                is_static ? results->sample_count : results->motion.time_count - 1, counted(results->kind), path);
+}
+
 static int write_results(const arguments *given, const pdmc_results *results, const char *path)
 {
     const pdmc_status status = pdmc_results_write(results, path, given->force);
     if (status != PDMC_OK) return fail(status);
     if (!given->quiet) print_results(results, path);
     if (results->status != PDMC_RUN_INTERRUPTED) return EX_OK;
-    const bool is_static = results->kind == PDMC_STATIC;
-    fprintf(stderr, "pdmc: interrupted: the first %d %s are saved in %s\n",
-            is_static ? results->sample_count : results->motion.time_count - 1, counted(results->kind), path);
+    tell_interruption(results, path);
     return EX_TEMPFAIL;
 }
 

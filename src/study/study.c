@@ -47,6 +47,16 @@ done:
     return status;
 }
 
+pdmc_status pdmc_study_set_samples(pdmc_study *study, int samples)
+{
+    pdmc_sampling *sampling = &study->problem.sampling;
+    PDMC_REQUIRE(sampling->design == PDMC_DESIGN_MONTE_CARLO || samples % sampling->replicates == 0,
+                 "%d samples are not allowed, must be a multiple of the %d replicates of the design, such as %d",
+                 samples, sampling->replicates, (samples / sampling->replicates + 1) * sampling->replicates);
+    sampling->samples = samples;
+    return pdmc_study_resolve(study);
+}
+
 void pdmc_study_clear(pdmc_study *study)
 {
     pdmc_problem_clear(&study->problem);

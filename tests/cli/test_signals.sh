@@ -49,6 +49,18 @@ for signal in INT TERM HUP; do
     rm x.h5
 done
 
+# Rare growth comes after the samples, which are saved without it.
+sed 's/samples = 100/samples = 64/' small.cfg >rare.cfg
+echo 'reliability = { method = "subset"; variation = 1e-4; evaluations = 100000000; };' >>rare.cfg
+start rare.cfg
+wait_for '64 of 64 samples'
+kill -s TERM "$job"
+finish 75
+expect_line err 'pdmc: interrupted: all 64 samples are saved in x.h5, rare growth is not complete'
+expect_line out 'INTERRUPTED: all samples were done, rare growth was not'
+expect_files x.h5
+rm x.h5
+
 # Before there are samples there is nothing to save.
 start slow.cfg
 kill -s TERM "$job"

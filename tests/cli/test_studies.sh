@@ -45,3 +45,10 @@ sed 's/angles = 8/angles = 3600/' small.cfg >huge.cfg
 run '"$pdmc" check -n 100000000 huge.cfg'
 grep -qE '^pdmc: warning: the run needs about [0-9]{8} MB of memory, this machine has [0-9]+ MB$' err ||
     fail "12 TB are no warning: $(cat err)"
+
+# A design has whole replicates, whatever the command line says.
+sed 's/samples = 100/samples = 96; design = "sobol"/' small.cfg >design.cfg
+expect 64 '"$pdmc" check -q -n 100 design.cfg' \
+    'pdmc: 100 samples are not allowed, must be a multiple of the 16 replicates of the design, such as 112'
+expect 0 '"$pdmc" check -q -n 112 design.cfg'
+expect_line out 'samples = 112;'
