@@ -34,14 +34,18 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_crossing_bonds(const pdmc_problem *prob
                                                         const pdmc_ring_rule *rings, int *count,
                                                         pdmc_crossing_bond bonds[]);
 
-/// Stress intensity factors at the tip of a vanishing kink, k = F(kink) K.
+/// F of k = F K, the stress intensity factors at the tip of a vanishing kink.
 ///
 /// Amestoy & Leblond, Int. J. Solids Struct. 29 (1992) 465-501: expansions to the 20th power of kink / pi, used up to
 /// +-2 pi / 3. Beyond that they are of no use, and Nuismer's first approximation (Int. J. Fract. 11 (1975) 245-250),
 /// scaled to be continuous, takes F to 0 at +-pi; growth into such directions is never decisive.
 /// @param[in]  kink  angle from straight-ahead growth, reduced to [-pi, pi]
-/// @param[in]  K     [2] K_I, K_II
-/// @param[out] k     [2] k_I, k_II
+/// @param[out] F     [2, 2]
+PDMC_API void pdmc_kink_factors(double kink, double F[4]);
+
+/// k = F(kink) K.
+/// @param[in]  K  [2] K_I, K_II
+/// @param[out] k  [2] k_I, k_II
 PDMC_API void pdmc_kinked_stress_intensity(double kink, const double K[2], double k[2]);
 
 /// Griffith's energy release rate of a vanishing kink, (max(k_I, 0)^2 + k_II^2) / E': a kink that is pressed shut

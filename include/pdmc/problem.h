@@ -162,6 +162,7 @@ typedef enum { PDMC_INVERSE_DIRECT, PDMC_INVERSE_NEUMANN, PDMC_INVERSE_KRYLOV, P
 typedef struct {
     uint64_t seed;
     int samples;
+    int keep; // of so many of the first independent samples, c(r) and all energies are kept
     pdmc_design_kind design;
     int replicates; // of a design that is not plain Monte Carlo
     pdmc_inverse inverse;
@@ -298,6 +299,9 @@ PDMC_API double pdmc_plane_modulus(const pdmc_material *material);
 /// 48 E / (5 pi delta^3) in plane strain, force / length^5 (eq. 16 of Evangelatos & Spanos 2011 is half of this in
 /// print).
 PDMC_API double pdmc_micromodulus(const pdmc_material *material, double horizon);
+
+/// Of how many samples c(r) and all energies are kept: all of a design, whose intervals need them.
+PDMC_API int pdmc_problem_kept(const pdmc_problem *problem);
 
 /// The number of time steps of a dynamic problem: duration / step, rounded up.
 PDMC_API int pdmc_problem_steps(const pdmc_problem *problem);

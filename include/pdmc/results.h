@@ -165,10 +165,11 @@ typedef struct {
 
     // the samples
     int sample_count; // S
+    int kept_count;   // N <= S, the first samples, of which c(r) and all energies are kept
     int failed_count;
     int bin_count;              // R, of c(r); 0 where the micromodulus is certain
     double *load_factor;        // [S]
-    double *micromodulus;       // [S, R] c(r) / c_0 in each bin
+    double *micromodulus;       // [N, R] c(r) / c_0 in each bin
     double *effective_modulus;  // [S] E_eff / E
     double *contraction;        // [S] measured factor of the Neumann expansion; NaN with direct solves
     pdmc_sample_accuracy accuracy;
@@ -177,7 +178,8 @@ typedef struct {
     uint8_t *failure;           // [S] pdmc_sample_failure
     uint8_t *sample_solver;     // [S] pdmc_sample_solver
     double *stress_intensity;   // [S, T, 2] K_I, K_II
-    double *energy[PDMC_MEASURES]; // each [S, T, A], by pdmc_measure; NaN where the sample failed
+    double *largest_energy[PDMC_MEASURES]; // each [S, T], by pdmc_measure; NaN where the sample failed
+    double *energy[PDMC_MEASURES];         // each [N, T, A]
 
     // their statistics, over the samples that did not fail
     double replicates;  // of the design of samples, whose spread gives the intervals; 0 where samples are independent

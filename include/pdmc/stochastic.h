@@ -15,6 +15,12 @@ typedef struct {
     void *context;
 } pdmc_run_options;
 
+/// What is counted of all samples of a study that keeps only the first of them.
+typedef struct pdmc_sample_counts pdmc_sample_counts;
+
+/// Frees counts and sets them to NULL; NULL is allowed.
+PDMC_API void pdmc_sample_counts_destroy(pdmc_sample_counts **counts);
+
 /// Draws and solves the samples of a study.
 ///
 /// Sample i depends on (seed, i) alone; samples are solved in blocks of PDMC_BLOCK, by
@@ -24,14 +30,17 @@ typedef struct {
 ///  - the sample's own factorisation.
 /// A sample that cannot be solved is marked in results->failure and has NaN for results.
 /// @param[in]     model    of the problem
-/// @param[in,out] results  the problem's tips, angles and bins are set; the sample arrays are made and filled, as are
-/// the
-///                         nominal energies, the status and the times of sampling and energy
-/// @return PDMC_OK (also when stopped early), PDMC_ERR_DATA where the expansion does not contract for half of the first
-///         samples, PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
+/// @param[in,out] results  the problem's tips, angles, measure, bonds and bins are set; the sample arrays are made and filled,
+///                         as are the nominal energies, the status and the times of sampling and energy
+/// @param[out]    counts   what pdmc_summarise() needs of samples that are not kept, to be freed; NULL where all are
+/// @return PDMC_OK (also when stopped early), PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_monte_carlo(const pdmc_problem *problem, const pdmc_affine *model,
-                                                     const pdmc_run_options *options, pdmc_results *results);
+                                                     const pdmc_run_options *options, pdmc_results *results,
+                                                     pdmc_sample_counts **counts);
 
-/// Fills the statistics of results from its samples, with intervals at results->confidence.
-/// @return PDMC_OK or PDMC_ERR_NOMEM
-PDMC_API PDMC_NODISCARD pdmc_status pdmc_summarise(const pdmc_run_options *options, pdmc_results *results);
+/// Fills the statistics of results from its samples, with intervals at results->confidence. Energies that are not kept are in
+/// the counts: then quantiles are known to 2^-12 of themselves, and edges of histograms are rounded by as much.
+/// @param[in] counts  of the same samples, or NULL where all are kept
+/// @return PDMC_OK, PDMC_ERR_DATA (all samples failed) or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_summarise(const pdmc_run_options *options, const pdmc_sample_counts *counts,
+                                                   pdmc_results *results);

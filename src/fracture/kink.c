@@ -89,19 +89,24 @@ static void nuismer(double kink, double F[4])
     F[3] = c * (1.0 - 3.0 * s * s);
 }
 
-void pdmc_kinked_stress_intensity(double kink, const double K[2], double k[2])
+void pdmc_kink_factors(double kink, double F[4])
 {
     const double angle = remainder(kink, 2.0 * M_PI), limit = copysign(2.0 * M_PI / 3.0, angle);
-    double F[4];
+    double exact[4], near[4];
     if (fabs(angle) <= fabs(limit)) {
         amestoy_leblond(angle, F);
-    } else {
-        double exact[4], near[4];
-        amestoy_leblond(limit, exact);
-        nuismer(limit, near);
-        nuismer(angle, F);
-        for (int i = 0; i < 4; i++) F[i] *= exact[i] / near[i];
+        return;
     }
+    amestoy_leblond(limit, exact);
+    nuismer(limit, near);
+    nuismer(angle, F);
+    for (int i = 0; i < 4; i++) F[i] *= exact[i] / near[i];
+}
+
+void pdmc_kinked_stress_intensity(double kink, const double K[2], double k[2])
+{
+    double F[4];
+    pdmc_kink_factors(kink, F);
     k[0] = F[0] * K[0] + F[1] * K[1];
     k[1] = F[2] * K[0] + F[3] * K[1];
 }

@@ -88,6 +88,13 @@ double pdmc_micromodulus(const pdmc_material *material, double horizon)
     return factor * material->youngs_modulus / (M_PI * pow(horizon, 3));
 }
 
+int pdmc_problem_kept(const pdmc_problem *problem)
+{
+    const pdmc_sampling *sampling = &problem->sampling;
+    const bool is_all = sampling->design != PDMC_DESIGN_MONTE_CARLO || sampling->samples < sampling->keep;
+    return is_all ? sampling->samples : sampling->keep;
+}
+
 int pdmc_problem_steps(const pdmc_problem *problem)
 {
     const double steps = problem->dynamics.duration / problem->dynamics.step;

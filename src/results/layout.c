@@ -10,6 +10,7 @@
 #define CONDITIONAL "/statistics/conditional_probability"
 #define FRACTURE_ENERGY "/samples/fracture_energy"
 #define SOLVER "/samples/solver"
+#define LARGEST "/samples/largest_"
 #define ACCURACY "/solver/samples/"
 #define MEMBER(name) offsetof(pdmc_results, name)
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
@@ -115,7 +116,7 @@ const pdmc_dataset pdmc_datasets[] = {
           PDMC_DIM_PROBE, PDMC_DIM_COORDINATE),
 
     REALS("/samples/load_factor", load_factor, NONE, "factor on the loads", PDMC_DIM_SAMPLE),
-    REALS("/samples/micromodulus", micromodulus, NONE, "c(r) / c_0 in equal bins of [0, horizon]", PDMC_DIM_SAMPLE,
+    REALS("/samples/micromodulus", micromodulus, NONE, "c(r) / c_0 in equal bins of [0, horizon]", PDMC_DIM_KEPT,
           PDMC_DIM_RADIAL_BIN),
     REALS("/samples/effective_modulus", effective_modulus, NONE, "effective over mean Young's modulus",
           PDMC_DIM_SAMPLE),
@@ -146,10 +147,14 @@ const pdmc_dataset pdmc_datasets[] = {
           PDMC_DIM_SAMPLE),
     REALS("/samples/stress_intensity", stress_intensity, STRESS_INTENSITY, "K_I and K_II", PDMC_DIM_SAMPLE,
           PDMC_DIM_TIP, PDMC_DIM_MODE),
+    REALS(LARGEST "bond_energy", largest_energy[PDMC_MEASURE_BOND], ENERGY,
+          "largest bond energy release rate, NaN where it failed", PDMC_DIM_SAMPLE, PDMC_DIM_TIP),
+    REALS(LARGEST "griffith_energy", largest_energy[PDMC_MEASURE_GRIFFITH], ENERGY,
+          "largest Griffith energy release rate of a small kink, NaN where it failed", PDMC_DIM_SAMPLE, PDMC_DIM_TIP),
     REALS("/samples/bond_energy", energy[PDMC_MEASURE_BOND], ENERGY, "bond energy release rate, NaN where it failed",
-          PDMC_DIM_SAMPLE, PDMC_DIM_TIP, PDMC_DIM_ANGLE),
+          PDMC_DIM_KEPT, PDMC_DIM_TIP, PDMC_DIM_ANGLE),
     REALS("/samples/griffith_energy", energy[PDMC_MEASURE_GRIFFITH], ENERGY,
-          "Griffith energy release rate of a small kink, NaN where it failed", PDMC_DIM_SAMPLE, PDMC_DIM_TIP,
+          "Griffith energy release rate of a small kink, NaN where it failed", PDMC_DIM_KEPT, PDMC_DIM_TIP,
           PDMC_DIM_ANGLE),
 
     ENERGY_STATISTICS("/statistics/bond_energy", PDMC_MEASURE_BOND),
@@ -251,6 +256,7 @@ static const struct {
     [PDMC_DIM_TIP] = {"tip", MEMBER(tip_count), true, 0},
     [PDMC_DIM_ANGLE] = {"angle", MEMBER(angle_count), true, 0},
     [PDMC_DIM_SAMPLE] = {"sample", MEMBER(sample_count), true, 0},
+    [PDMC_DIM_KEPT] = {"kept sample", MEMBER(kept_count), true, 0},
     [PDMC_DIM_RADIAL_BIN] = {"radial bin", MEMBER(bin_count), true, 0},
     [PDMC_DIM_NODE] = {"node", MEMBER(field.node_count), true, 0},
     [PDMC_DIM_FACE_POINT] = {"point along the crack", MEMBER(field.face_points), true, 0},
@@ -299,7 +305,7 @@ bool pdmc_dataset_belongs(const pdmc_results *results, const pdmc_dataset *datas
 bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset)
 {
     // What files of earlier versions do not hold.
-    static const char *const later[] = {PEAK_MEMORY, ACCURACY, FRACTURE_ENERGY, SOLVER, GIVEN_REST, CONDITIONAL, REPLICATES, RELIABILITY};
+    static const char *const later[] = {PEAK_MEMORY, ACCURACY, FRACTURE_ENERGY, SOLVER, LARGEST, GIVEN_REST, CONDITIONAL, REPLICATES, RELIABILITY};
     for (size_t i = 0; i < COUNT(later); i++)
         if (strncmp(dataset->path, later[i], strlen(later[i])) == 0) return true;
     return false;

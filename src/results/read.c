@@ -126,14 +126,28 @@ static bool is_missing(hid_t file, const char *path)
     }
 }
 
+// What a file of an earlier version does not hold is NaN; in arrays of other numbers 0.
+static pdmc_status leave_out(pdmc_results *results, const pdmc_dataset *dataset)
+{
+    const size_t size = pdmc_dataset_size(results, dataset);
+    if (dataset->stride == 0) {
+        *(double *)pdmc_dataset_memory(results, dataset) = NAN;
+        return PDMC_OK;
+    }
+    char *array = size > 0 ? array_of(results, dataset, size) : NULL;
+    if (size > 0 && !array) return PDMC_ERR_NOMEM;
+    const double unknown = NAN;
+    for (size_t i = 0; i < size && dataset->kind == PDMC_KIND_REAL; i++)
+        memcpy(&array[i / dataset->width * dataset->stride + dataset->column + i % dataset->width * sizeof unknown],
+               &unknown, sizeof unknown);
+    return PDMC_OK;
+}
+
 static pdmc_status read_dataset(hid_t file, pdmc_results *results, bool known[], const pdmc_dataset *dataset)
 {
     pdmc_status status = PDMC_OK;
     hid_t object = H5I_INVALID_HID;
-    if (pdmc_dataset_may_be_missing(dataset) && is_missing(file, dataset->path)) {
-        if (dataset->stride == 0) *(double *)pdmc_dataset_memory(results, dataset) = NAN;
-        return PDMC_OK;
-    }
+    if (pdmc_dataset_may_be_missing(dataset) && is_missing(file, dataset->path)) return leave_out(results, dataset);
     PDMC_H5_TRY(object = H5Dopen2(file, dataset->path, H5P_DEFAULT), PDMC_ERR_DATA, dataset->path);
     PDMC_TRY(read_axes(object, results, known, dataset));
     PDMC_TRY(check_size(file, object, results, dataset));
@@ -187,6 +201,16 @@ done:
     return status;
 }
 
+// Files of earlier versions have the energies of all samples instead.
+static void find_largest(pdmc_results *results)
+{
+    const size_t angles = (size_t)results->angle_count;
+    for (int m = 0; m < PDMC_MEASURES; m++)
+        for (size_t i = 0; i < (size_t)results->kept_count * (size_t)results->tip_count; i++)
+            for (size_t a = 0; a < angles; a++)
+                results->largest_energy[m][i] = fmax(results->largest_energy[m][i], results->energy[m][i * angles + a]);
+}
+
 static pdmc_status read_everything(hid_t file, pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
@@ -197,6 +221,7 @@ static pdmc_status read_everything(hid_t file, pdmc_results *results)
         if (pdmc_dataset_belongs(results, &pdmc_datasets[i]))
             PDMC_TRY(read_dataset(file, results, known, &pdmc_datasets[i]));
     PDMC_TRY(pdmc_results_check(results, PDMC_ERR_DATA));
+    find_largest(results);
 
 done:
     return status;

@@ -104,6 +104,13 @@ static pdmc_status check_failures(const pdmc_results *results, pdmc_status code)
     return PDMC_OK;
 }
 
+static pdmc_status check_kept(const pdmc_results *results, pdmc_status code)
+{
+    if (results->kept_count > results->sample_count)
+        return pdmc_raise(code, "%d of %d samples are kept", results->kept_count, results->sample_count);
+    return PDMC_OK;
+}
+
 static pdmc_status check_names(const pdmc_results *results, pdmc_status code)
 {
     for (int i = 0; i < results->tip_count; i++)
@@ -126,7 +133,7 @@ static pdmc_status check_faces(const pdmc_results *results, pdmc_status code)
 pdmc_status pdmc_results_check(const pdmc_results *results, pdmc_status code)
 {
     pdmc_status (*const checks[])(const pdmc_results *, pdmc_status) = {check_counts,   check_arrays, check_choices,
-                                                                        check_failures, check_names,  check_faces};
+                                                                        check_failures, check_kept,   check_names, check_faces};
     for (size_t i = 0; i < sizeof checks / sizeof checks[0]; i++) {
         const pdmc_status status = checks[i](results, code);
         if (status != PDMC_OK) return status;

@@ -13,6 +13,8 @@ static const double seconds_per_row_value = 15e-9;  // of the basis on a ring: v
 static const double seconds_per_bond_value = 5e-9;  // of the basis at the two ends of a bond
 static const double seconds_per_word_value = 16e-9; // of a ring's operator, in the making of the response space
 static const double seconds_per_bond = 0.4e-9, seconds_per_bond_direction = 0.027e-9; // of a sample
+static const double seconds_per_draw = 5e-6;                                          // of a sample, with its solution
+static const double seconds_per_form = 10e-9, seconds_per_tallied_value = 8e-9;       // of a sample in a direction
 static const double seconds_per_distribution = 1.7e-3;                                // intervals of a histogram
 static const double seconds_per_sorted_value = 25e-9;                                 // times log2 of their number
 static const double seconds_per_byte = 5e-9;                                          // of the result file
@@ -51,6 +53,8 @@ typedef struct {
     double plates;                                 // samples with a plate of their own
     double steps;                                  // of time, in a dynamic study
     double threads;
+    double tips, kept; // kept: samples of which the file has every energy
+    bool has_forms;
 } amounts;
 
 static amounts count_all(const pdmc_problem *problem, int threads)
@@ -62,6 +66,9 @@ static amounts count_all(const pdmc_problem *problem, int threads)
     a.steps = problem->kind == PDMC_DYNAMIC ? pdmc_problem_steps(problem) : 0.0;
     a.bonds = PDMC_CROSSING_BONDS * (problem->energy.line == PDMC_LINE_SEGMENT ? PDMC_LINE_POINTS : 1);
     a.terms = noise ? a.rings : 0.0;
+    a.tips = problem->energy.tip_count;
+    a.kept = problem->kind == PDMC_STATIC ? pdmc_problem_kept(problem) : 0.0;
+    a.has_forms = problem->energy.bonds == PDMC_BONDS_ALL && problem->sampling.inverse != PDMC_INVERSE_DIRECT;
     a.directions = problem->energy.tip_count * (double)problem->energy.angles;
     a.dimension = noise ? response_size : 2.0;
     a.plates = pdmc_problem_moves_cracks(problem) ? a.samples : 0.0;
@@ -90,6 +97,14 @@ static double seconds_of_energies(const amounts *a)
     return a->directions * a->bonds * (seconds_per_bond + a->dimension * seconds_per_bond_direction);
 }
 
+// Where all bonds count and samples are not solved by themselves, by quadratic forms.
+static double seconds_of_a_sample(const amounts *a)
+{
+    const double counted = PDMC_MEASURES * a->directions * (a->kept < a->samples ? seconds_per_tallied_value : 0.0);
+    const double energies = a->has_forms ? a->directions * seconds_per_form : seconds_of_energies(a);
+    return seconds_per_draw + energies + counted;
+}
+
 // Each on one thread, and in a block of its own.
 static double seconds_for_plates(const amounts *a)
 {
@@ -99,13 +114,13 @@ static double seconds_for_plates(const amounts *a)
     return a->plates * (each + PDMC_BLOCK * seconds_of_energies(a)) / a->threads;
 }
 
-// The first block is solved alone, since the run is refused if it diverges; the others are shared out whole.
+// Blocks are shared out whole.
 static double seconds_to_sample(const amounts *a)
 {
     const double n = a->fine.unknowns;
     const double solve = a->solved > 0.0 ? seconds_per_flop * n * n * (2.0 * a->fine.rows - 2.0 / 3.0 * n) : 0.0;
-    const double blocks = ceil(a->samples / PDMC_BLOCK), rounds = 1.0 + ceil((blocks - 1.0) / a->threads);
-    return fmin(rounds * PDMC_BLOCK, a->samples) * (solve + seconds_of_energies(a));
+    const double blocks = ceil(a->samples / PDMC_BLOCK), rounds = ceil(blocks / a->threads);
+    return fmin(rounds * PDMC_BLOCK, a->samples) * (solve + seconds_of_a_sample(a));
 }
 
 // Three rows of the strain and two of the displacement at each point, whitened and squared; then steps on one thread.
@@ -118,13 +133,15 @@ static double seconds_to_move(const amounts *a)
 
 static double seconds_to_summarise(const amounts *a)
 {
-    const double sorted = a->samples * log2(1.0 + a->samples);
+    const double sorted = a->kept < a->samples ? 0.0 : a->samples * log2(1.0 + a->samples);
     return PDMC_MEASURES * a->directions * (seconds_per_distribution + seconds_per_sorted_value * sorted) / a->threads;
 }
 
 static double bytes_of_results(const amounts *a, double bins, double probes)
 {
-    return 8.0 * a->steps * (6.0 + 2.0 * probes) + 8.0 * a->samples * (PDMC_MEASURES * a->directions + bins);
+    const double scalars = 5.0 + 7.0 * a->tips;
+    return 8.0 * a->steps * (6.0 + 2.0 * probes) +
+           8.0 * (a->samples * scalars + a->kept * (PDMC_MEASURES * a->directions + bins));
 }
 
 static double seconds_in_all(const amounts *a, double file)

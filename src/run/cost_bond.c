@@ -66,7 +66,7 @@ pdmc_cost pdmc_bond_cost(const pdmc_problem *problem, int threads)
     const pdmc_uncertainty *noise = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_MICROMODULUS);
     const double samples = problem->sampling.samples, unknowns = 2.0 * fine.nodes;
     const double directions = problem->energy.tip_count * (double)problem->energy.angles;
-    const double file = 8.0 * samples * (PDMC_MEASURES * directions + (noise ? noise->bins : 0.0));
+    const double file = 8.0 * pdmc_problem_kept(problem) * (PDMC_MEASURES * directions + (noise ? noise->bins : 0.0));
     double seconds = seconds_to_factor(&fine) + (directions > 0.0 ? seconds_to_factor(&coarse) : 0.0);
     const double plates = pdmc_problem_moves_cracks(problem) ? samples : 0.0; // each with a block of its own
     const double columns = plates > 0.0 ? PDMC_BLOCK : 1.0;

@@ -137,16 +137,18 @@ static pdmc_status run_samples(const pdmc_problem *problem, const pdmc_discretis
     pdmc_status status = PDMC_OK;
     pdmc_affine model = {0};
     const pdmc_affine_family family = pdmc_plate_family(problem, options->threads);
+    pdmc_sample_counts *counts = NULL;
     PDMC_TRY(plate->verbs->affine(plate->method, &model));
     if (pdmc_problem_moves_cracks(problem)) model.family = &family;
     PDMC_TRY(ask(problem, options));
     results->runtime.operators = model.operator_seconds;
     results->runtime.energy_rows = model.energy_seconds;
-    PDMC_TRY(pdmc_monte_carlo(problem, &model, options, results));
+    PDMC_TRY(pdmc_monte_carlo(problem, &model, options, results, &counts));
     const double sampled = pdmc_seconds();
-    PDMC_TRY(pdmc_summarise(options, results));
+    PDMC_TRY(pdmc_summarise(options, counts, results));
     results->runtime.statistics = pdmc_seconds() - sampled;
 done:
+    pdmc_sample_counts_destroy(&counts);
     pdmc_affine_clear(&model);
     return status;
 }

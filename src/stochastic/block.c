@@ -4,6 +4,7 @@
 #include "base/base_impl.h"
 #include "pdmc/fracture.h"
 #include "stochastic/fall_back.h"
+#include "stochastic/forms.h"
 #include "stochastic/krylov.h"
 #include "stochastic/own_plate.h"
 #include "stochastic/reduced.h"
@@ -35,7 +36,8 @@ static pdmc_status allocate(pdmc_block *block)
     PDMC_NEW(block->ring_sum, B * (size_t)model->rings);
     PDMC_NEW(block->observed, B * (size_t)model->observed);
     PDMC_NEW(block->intensity, B * 2 * (size_t)model->tips);
-    PDMC_NEW(block->energy, B * (size_t)(model->tips * model->angles));
+    PDMC_NEW(block->energy, PDMC_MEASURES * B * (size_t)(model->tips * model->angles));
+    block->griffith = &block->energy[B * (size_t)(model->tips * model->angles)];
 done:
     return status;
 }
@@ -53,6 +55,7 @@ pdmc_status pdmc_block_create(const pdmc_variables *variables, const pdmc_affine
     made->problem = variables->problem;
     made->variables = variables;
     made->model = model;
+    made->lone_load = pdmc_variables_lone_load(variables);
     PDMC_TRY(allocate(made));
     *block = made;
     made = NULL;
@@ -74,6 +77,7 @@ void pdmc_block_destroy(pdmc_block **block)
     pdmc_free(old->observed);
     pdmc_free(old->intensity);
     pdmc_free(old->energy);
+    pdmc_free(old->feature);
     pdmc_free(old);
     *block = NULL;
 }
@@ -260,7 +264,7 @@ static void sparse_stretches(pdmc_block *block, const pdmc_crossing *crossing)
 }
 
 // Sums the squared stretches over each ring's bonds, in their order, and weights the rings by each sample's c(r).
-static void sum_rings(const pdmc_block *block, int direction, pdmc_bonds bonds, double energy[])
+static void sum_rings(const pdmc_block *block, int direction, pdmc_bonds bonds, const bool wanted[B], double energy[])
 {
     const pdmc_crossing *crossing = &block->model->crossings[direction];
     const int rings = block->model->rings;
@@ -276,6 +280,7 @@ static void sum_rings(const pdmc_block *block, int direction, pdmc_bonds bonds, 
     }
     for (int s = 0; s < B; s++) {
         double sum = 0.0;
+        if (!wanted[s]) continue;
         for (int q = 0; q < rings; q++) sum += block->drawn.draw[s].ring_weight[q] * block->ring_sum[q * B + s];
         energy[s] = 0.5 * block->model->micromodulus * block->drawn.draw[s].direction_modulus[direction] * sum;
     }
@@ -290,18 +295,37 @@ static void measure_intensities(pdmc_block *block)
                     block->x, n, 0.0, block->intensity, B);
 }
 
-static void measure_bonds(pdmc_block *block, pdmc_bonds bonds)
+static void observe(pdmc_block *block)
 {
     const pdmc_affine *model = block->model;
     const int n = model->unknowns;
     if (model->observed > 0)
         cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, B, model->observed, n, 1.0, block->x, n, model->observe, n,
                     0.0, block->observed, model->observed);
-    for (int d = 0; d < model->tips * model->angles; d++) {
-        const pdmc_crossing *crossing = &model->crossings[d];
+}
+
+static void sum_bonds(pdmc_block *block, pdmc_bonds bonds, const bool wanted[B])
+{
+    for (int d = 0; d < block->model->tips * block->model->angles; d++) {
+        const pdmc_crossing *crossing = &block->model->crossings[d];
         (crossing->column ? sparse_stretches : full_stretches)(block, crossing);
-        sum_rings(block, d, bonds, &block->energy[d * B]);
+        sum_rings(block, d, bonds, wanted, &block->energy[d * B]);
     }
+}
+
+static void measure_bonds(pdmc_block *block, pdmc_bonds bonds)
+{
+    const pdmc_energy_forms *forms = bonds == PDMC_BONDS_ALL ? block->forms : NULL;
+    const double *y = block->model->observed > 0 ? block->observed : block->x;
+    bool wanted[B], any = false;
+    observe(block);
+    if (forms) pdmc_energy_forms_evaluate(forms, block->drawn.draw, y, block->feature, block->energy);
+    for (int s = 0; s < B; s++) {
+        wanted[s] =
+            !forms || (block->failure[s] == PDMC_SAMPLE_OK && !pdmc_energy_forms_hold(forms, &y[s * forms->width]));
+        any = any || wanted[s];
+    }
+    if (any) sum_bonds(block, bonds, wanted);
 }
 
 void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds)
@@ -313,6 +337,80 @@ void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds)
     block->energy_seconds += pdmc_seconds() - begin;
 }
 
+pdmc_status pdmc_block_use_forms(pdmc_block *block, const pdmc_energy_forms *forms)
+{
+    pdmc_status status = PDMC_OK;
+    if (!forms) return PDMC_OK;
+    PDMC_NEW(block->feature, pdmc_energy_forms_scratch(forms));
+    block->forms = forms;
+done:
+    return status;
+}
+
+// The solved pilots, one behind the other.
+static int gather_pilots(const pdmc_block *block, int width, double y[])
+{
+    const double *from = block->model->observed > 0 ? block->observed : block->x;
+    int count = 0;
+    for (int s = 0; s < B; s++)
+        if (block->failure[s] == PDMC_SAMPLE_OK)
+            memcpy(&y[width * count++], &from[s * width], (size_t)width * sizeof *y);
+    return count;
+}
+
+// Whether the pilots have the same energies by the forms as by their bonds, which hold in the block.
+static bool agree(const pdmc_block *block, const double energy[])
+{
+    const double rounding = 1e-13;
+    for (int k = 0; k < block->model->tips * block->model->angles * B; k++)
+        if (block->failure[k % B] == PDMC_SAMPLE_OK &&
+            !(fabs(energy[k] - block->energy[k]) <= rounding * block->energy[k]))
+            return false;
+    return true;
+}
+
+// Forms of a block that is solved and measured, or NULL.
+static pdmc_status make_forms(const pdmc_block *block, pdmc_energy_forms **forms)
+{
+    pdmc_status status = PDMC_OK;
+    const int width = block->model->observed > 0 ? block->model->observed : block->model->unknowns;
+    double *y = NULL, *energy = NULL, *scratch = NULL;
+    PDMC_NEW(y, B * width);
+    PDMC_NEW(energy, B * block->model->tips * block->model->angles);
+    const int pilots = gather_pilots(block, width, y);
+    if (pilots > 0) PDMC_TRY(pdmc_energy_forms_create(block->model, pilots, y, forms));
+    if (!*forms) goto done;
+    PDMC_NEW(scratch, pdmc_energy_forms_scratch(*forms));
+    pdmc_energy_forms_evaluate(*forms, block->drawn.draw, block->model->observed > 0 ? block->observed : block->x,
+                               scratch, energy);
+    if (!agree(block, energy)) pdmc_energy_forms_destroy(forms);
+done:
+    pdmc_free(y);
+    pdmc_free(energy);
+    pdmc_free(scratch);
+    if (status != PDMC_OK) pdmc_energy_forms_destroy(forms);
+    return status;
+}
+
+pdmc_status pdmc_block_make_forms(pdmc_block *block, pdmc_energy_forms **forms)
+{
+    const uint64_t first = UINT64_C(1) << 62; // far from the samples of any study
+    const bool is_of_use = block->problem->energy.bonds == PDMC_BONDS_ALL &&
+                           block->problem->sampling.inverse != PDMC_INVERSE_DIRECT; // which takes far longer anyway
+    pdmc_status status = PDMC_OK;
+    *forms = NULL;
+    if (!is_of_use || block->model->tips == 0 || block->model->family) return PDMC_OK;
+    for (uint64_t s = 0; s < B; s++)
+        pdmc_variables_sample(block->variables, first + s, &block->drawn.z[(int)s * block->variables->count]);
+    PDMC_TRY(pdmc_block_draw_points(block, block->drawn.z, B));
+    PDMC_TRY(pdmc_block_solve(block, B));
+    pdmc_block_energies(block, PDMC_BONDS_ALL);
+    PDMC_TRY(make_forms(block, forms));
+    block->solve_seconds = block->energy_seconds = 0.0;
+done:
+    return status;
+}
+
 void pdmc_block_measure(pdmc_block *block)
 {
     const pdmc_energy_request *energy = &block->problem->energy;
@@ -321,11 +419,10 @@ void pdmc_block_measure(pdmc_block *block)
     else measure_bonds(block, energy->bonds);
 }
 
-// K_I and K_II of one tip of one sample: the rows give them at the mean modulus, and a stress is proportional to the modulus.
-static void find_intensity(const pdmc_block *block, int s, int t, double intensity[2])
+// K_I or K_II of one tip of one sample: the rows give them at the mean modulus, and a stress is proportional to the modulus.
+static double find_intensity(const pdmc_block *block, int s, int t, int mode)
 {
-    for (int k = 0; k < 2; k++)
-        intensity[k] = block->drawn.draw[s].tip_modulus[t] * block->intensity[(2 * t + k) * B + s];
+    return block->drawn.draw[s].tip_modulus[t] * block->intensity[(2 * t + mode) * B + s];
 }
 
 // Straight ahead, of the sample's own tip.
@@ -337,88 +434,124 @@ static double direction_of(const pdmc_block *block, int s, int t, const pdmc_res
     return results->tips[t].direction + turn;
 }
 
-static double griffith_energy(const pdmc_block *block, int s, int t, const pdmc_results *results, int angle,
-                              const double intensity[2])
+// Of all samples at one tip, in all directions: pdmc_griffith_energy() with the factors of a kink found once for all samples
+// that share the tip's direction.
+static void griffith_of_tip(const pdmc_block *block, int t, const pdmc_results *results, double energy[])
 {
-    const double modulus = block->drawn.draw[s].tip_modulus[t] * pdmc_plane_modulus(&block->problem->material);
-    return pdmc_griffith_energy(results->angles[angle] - direction_of(block, s, t, results), intensity, modulus);
+    const double plane_modulus = pdmc_plane_modulus(&block->problem->material);
+    const int angles = block->model->angles, sharing = block->model->family ? 1 : B;
+    double first[B], second[B], modulus[B], F[4];
+    for (int s = 0; s < B; s++) {
+        first[s] = find_intensity(block, s, t, 0);
+        second[s] = find_intensity(block, s, t, 1);
+        modulus[s] = block->drawn.draw[s].tip_modulus[t] * plane_modulus;
+    }
+    for (int i = 0; i < angles * B; i += sharing) {
+        pdmc_kink_factors(results->angles[i / B] - direction_of(block, i % B, t, results), F);
+        for (int s = i % B; s < i % B + sharing; s++) {
+            const double k_1 = F[0] * first[s] + F[1] * second[s], k_2 = F[2] * first[s] + F[3] * second[s];
+            const double opening = k_1 > 0.0 ? k_1 : 0.0;
+            energy[i / B * B + s] = (opening * opening + k_2 * k_2) / modulus[s];
+        }
+    }
 }
 
-double pdmc_block_largest_energy(const pdmc_block *block, int s, int tip, const pdmc_results *results)
+void pdmc_block_griffith(pdmc_block *block, const pdmc_results *results)
+{
+    const double begin = pdmc_seconds();
+    for (int t = 0; t < block->model->tips; t++)
+        griffith_of_tip(block, t, results, &block->griffith[t * block->model->angles * B]);
+    block->energy_seconds += pdmc_seconds() - begin;
+}
+
+static const double *energies_of(const pdmc_block *block, pdmc_measure measure)
+{
+    return measure == PDMC_MEASURE_GRIFFITH ? block->griffith : block->energy;
+}
+
+double pdmc_block_largest_energy(const pdmc_block *block, int s, int tip)
 {
     const int angles = block->model->angles;
-    const bool is_griffith = block->problem->energy.measure == PDMC_MEASURE_GRIFFITH;
-    double intensity[2], largest = 0.0;
-    if (is_griffith) find_intensity(block, s, tip, intensity);
-    for (int a = 0; a < angles; a++)
-        largest = fmax(largest, is_griffith ? griffith_energy(block, s, tip, results, a, intensity)
-                                            : block->energy[(tip * angles + a) * B + s]);
+    const double *energy = &energies_of(block, block->problem->energy.measure)[tip * angles * B + s];
+    double largest = 0.0;
+    for (int a = 0; a < angles; a++) largest = fmax(largest, energy[a * B]);
     return largest;
 }
 
+void pdmc_block_largest_energies(const pdmc_block *block, pdmc_measure measure, int tip, double largest[B])
+{
+    const int angles = block->model->angles;
+    const double *energy = &energies_of(block, measure)[tip * angles * B];
+    for (int s = 0; s < B; s++) largest[s] = 0.0;
+    for (int a = 0; a < angles; a++)
+        for (int s = 0; s < B; s++) largest[s] = energy[a * B + s] > largest[s] ? energy[a * B + s] : largest[s];
+}
+
 // P(the tip grows | all but the load): G goes with the square of the load, so that growth begins at one value of it.
-static double growth_given_rest(const pdmc_block *block, int s, int tip, const pdmc_results *results)
+static double growth_given_rest(const pdmc_block *block, int s, double largest)
 {
     const pdmc_draw *draw = &block->drawn.draw[s];
-    const pdmc_distribution *law = pdmc_variables_lone_load(block->variables);
+    const pdmc_distribution *law = block->lone_load;
     if (!law || block->failure[s] != PDMC_SAMPLE_OK) return NAN;
     const double load = draw->value[PDMC_QUANTITY_LOAD - PDMC_FIRST_SCALAR];
-    const double largest = pdmc_block_largest_energy(block, s, tip, results);
     const double toughness = fmax(pdmc_draw_fracture_energy(draw), 0.0);
     return largest > 0.0 ? pdmc_distribution_upper_tail(law, load * sqrt(toughness / largest)) : 0.0;
 }
 
-static void store_sample(const pdmc_block *block, int s, size_t sample, pdmc_results *results)
+static void store_tip(const pdmc_block *block, int count, int t, pdmc_results *results)
 {
-    const size_t tips = (size_t)results->tip_count, angles = (size_t)results->angle_count;
-    for (size_t t = 0; t < tips; t++) {
-        double *intensity = &results->stress_intensity[2 * (sample * tips + t)];
-        double *bond = &results->energy[PDMC_MEASURE_BOND][(sample * tips + t) * angles];
-        double *griffith = &results->energy[PDMC_MEASURE_GRIFFITH][(sample * tips + t) * angles];
-        results->growth_given_rest[sample * tips + t] = growth_given_rest(block, s, (int)t, results);
-        find_intensity(block, s, (int)t, intensity);
-        for (size_t a = 0; a < angles; a++) {
-            bond[a] = block->energy[(t * angles + a) * B + (size_t)s];
-            griffith[a] = griffith_energy(block, s, (int)t, results, (int)a, intensity);
-        }
-        if (block->failure[s] == PDMC_SAMPLE_OK) continue;
-        intensity[0] = intensity[1] = NAN;
-        for (size_t a = 0; a < angles; a++) bond[a] = griffith[a] = NAN;
+    double largest[PDMC_MEASURES][B];
+    for (int m = 0; m < PDMC_MEASURES; m++) pdmc_block_largest_energies(block, (pdmc_measure)m, t, largest[m]);
+    for (int s = 0; s < count; s++) {
+        const size_t place = (size_t)block->sample[s] * (size_t)results->tip_count + (size_t)t;
+        const bool is_known = block->failure[s] == PDMC_SAMPLE_OK;
+        for (int k = 0; k < 2; k++)
+            results->stress_intensity[2 * place + (size_t)k] = is_known ? find_intensity(block, s, t, k) : NAN;
+        for (int m = 0; m < PDMC_MEASURES; m++) results->largest_energy[m][place] = is_known ? largest[m][s] : NAN;
+        results->growth_given_rest[place] = growth_given_rest(block, s, largest[block->problem->energy.measure][s]);
     }
+}
+
+// What is kept of the first samples alone.
+static void store_details(const pdmc_block *block, int s, pdmc_results *results)
+{
+    const size_t sample = (size_t)block->sample[s], bins = (size_t)results->bin_count;
+    const size_t directions = (size_t)(results->tip_count * results->angle_count);
+    if (bins > 0)
+        memcpy(&results->micromodulus[sample * bins], block->drawn.draw[s].micromodulus, bins * sizeof(double));
+    for (int m = 0; m < PDMC_MEASURES; m++)
+        for (size_t d = 0; d < directions; d++)
+            results->energy[m][sample * directions + d] =
+                block->failure[s] == PDMC_SAMPLE_OK ? energies_of(block, (pdmc_measure)m)[d * B + (size_t)s] : NAN;
 }
 
 void pdmc_block_store(const pdmc_block *block, int count, pdmc_results *results)
 {
     for (int s = 0; s < count; s++) {
-        const size_t sample = (size_t)block->sample[s], bins = (size_t)results->bin_count;
+        const int sample = block->sample[s];
         results->load_factor[sample] = block->drawn.draw[s].load_factor;
         results->effective_modulus[sample] = block->drawn.draw[s].effective_modulus;
         results->contraction[sample] = block->contraction[s];
         results->failure[sample] = (uint8_t)block->failure[s];
         results->sample_solver[sample] = (uint8_t)block->solver[s];
         results->sample_fracture_energy[sample] = pdmc_draw_fracture_energy(&block->drawn.draw[s]);
-        if (bins > 0)
-            memcpy(&results->micromodulus[sample * bins], block->drawn.draw[s].micromodulus, bins * sizeof(double));
-        store_sample(block, s, sample, results);
+        if (sample < results->kept_count) store_details(block, s, results);
     }
+    for (int t = 0; t < results->tip_count; t++) store_tip(block, count, t, results);
 }
 
 pdmc_status pdmc_block_nominal(pdmc_block *block, pdmc_results *results)
 {
-    const int angles = results->angle_count, directions = results->tip_count * angles;
-    double intensity[2];
+    const int directions = results->tip_count * results->angle_count;
     const pdmc_status status = pdmc_block_draw(block, 0, 0);
     if (status != PDMC_OK) return status;
     start(block);
     pdmc_block_energies(block, PDMC_BONDS_ALL);
+    pdmc_block_griffith(block, results);
     for (int d = 0; d < directions; d++) results->nominal_bond_energy[d] = block->energy[d * B];
+    for (int d = 0; d < directions; d++) results->nominal_griffith_energy[d] = block->griffith[d * B];
     pdmc_block_energies(block, PDMC_BONDS_TENSILE);
     for (int d = 0; d < directions; d++) results->nominal_bond_energy_tensile[d] = block->energy[d * B];
-    for (int t = 0; t < results->tip_count; t++) {
-        find_intensity(block, 0, t, intensity);
-        for (int a = 0; a < angles; a++)
-            results->nominal_griffith_energy[t * angles + a] = griffith_energy(block, 0, t, results, a, intensity);
-    }
     block->energy_seconds = 0.0;
     return PDMC_OK;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "pdmc/results.h"
+#include "stochastic/forms.h"
 #include "stochastic/variables.h"
 
 /// A block of samples on its way from random numbers to energies; one for each thread. Arrays are [PDMC_BLOCK, ...].
@@ -21,9 +22,13 @@ typedef struct {
     double *observed;  // [model's observed]
     double *ring_sum;  // [rings, PDMC_BLOCK] squared stretches
     double *intensity; // [2 tips, PDMC_BLOCK]
-    double *energy;    // [tips angles, PDMC_BLOCK]
-    bool measure_alone;  // only pdmc_block_measure() is called; to be set before samples are solved
-    bool has_own_plates; // its samples are solved on plates of their own, and their energies are there
+    double *energy;    // [PDMC_MEASURES, tips angles, PDMC_BLOCK], of which the first are those of bonds ...
+    double *griffith;  // ... and these the others
+    double *feature;   // scratch of the forms
+    const pdmc_energy_forms *forms;       // of the energies of all bonds; NULL: bond by bond
+    const pdmc_distribution *lone_load;   // of pdmc_variables_lone_load()
+    bool measure_alone;                   // only pdmc_block_measure() is called; to be set before samples are solved
+    bool has_own_plates;                  // its samples are solved on plates of their own, and their energies are there
     double solve_seconds, energy_seconds; // times the threads that a block's samples are shared out to
 } pdmc_block;
 
@@ -60,13 +65,30 @@ PDMC_NODISCARD pdmc_status pdmc_block_solve_directly(pdmc_block *block, int s);
 /// Stress intensity factors and bond energies of the solutions.
 void pdmc_block_energies(pdmc_block *block, pdmc_bonds bonds);
 
-/// What the problem's measure needs of these, for the largest energies alone.
+/// Griffith's energies by the stress intensity factors, in the directions of the results.
+void pdmc_block_griffith(pdmc_block *block, const pdmc_results *results);
+
+/// What the problem's measure needs of pdmc_block_energies(), for the largest energies alone.
 void pdmc_block_measure(pdmc_block *block);
 
-/// The largest energy of a tip by the problem's measure, over the directions of the results; force / length.
-double pdmc_block_largest_energy(const pdmc_block *block, int s, int tip, const pdmc_results *results);
+/// Quadratic forms of the model's bond energies, from pilot samples for which the block is used. They depend on the problem
+/// and the model, and not on the number of samples.
+/// @param[out] forms  free with pdmc_energy_forms_destroy(); NULL where bonds are better summed one by one: of forms that
+///                    are no cheaper, with bonds in tension only, and where the pilots' energies differ by more than 1e-13
+PDMC_NODISCARD pdmc_status pdmc_block_make_forms(pdmc_block *block, pdmc_energy_forms **forms);
 
-/// Copies the first `count` samples of the block to their places in the results.
+/// Lets the block use forms of its model, which are kept by reference; NULL is allowed. Samples for which they do not hold are
+/// still summed bond by bond.
+PDMC_NODISCARD pdmc_status pdmc_block_use_forms(pdmc_block *block, const pdmc_energy_forms *forms);
+
+/// The largest energy of a tip by the problem's measure, over the directions; force / length.
+double pdmc_block_largest_energy(const pdmc_block *block, int s, int tip);
+
+/// The same of all samples by either measure.
+/// @param[out] largest  [PDMC_BLOCK]
+void pdmc_block_largest_energies(const pdmc_block *block, pdmc_measure measure, int tip, double largest[PDMC_BLOCK]);
+
+/// Copies the first `count` samples of the block to their places in the results; c(r) and energies of those that are kept.
 void pdmc_block_store(const pdmc_block *block, int count, pdmc_results *results);
 
 /// Solves the mean sample and stores the nominal energies.

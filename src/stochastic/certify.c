@@ -45,8 +45,7 @@ double pdmc_certify_root_energy(const pdmc_problem *problem, const pdmc_affine *
                                 const pdmc_draw *draw, pdmc_measure measure, double error)
 {
     if (!isfinite(error)) return INFINITY;
-    if (measure == PDMC_MEASURE_BOND)
-        return reduced->crossing_bound * error * sqrt(largest_stiffness(results, draw));
+    if (measure == PDMC_MEASURE_BOND) return reduced->crossing_bound * error * sqrt(largest_stiffness(results, draw));
     // G = |F E_s K|^2 / (E_s E') with E_s the sample's modulus over the mean's
     const double plane_modulus = draw->effective_modulus * pdmc_plane_modulus(&problem->material);
     double largest = 0.0;
@@ -59,12 +58,7 @@ double pdmc_certify_root_energy(const pdmc_problem *problem, const pdmc_affine *
 
 static double largest_energy(const pdmc_results *results, pdmc_measure measure, int sample, int tip)
 {
-    const size_t angles = (size_t)results->angle_count;
-    const double *energy =
-        &results->energy[measure][((size_t)sample * (size_t)results->tip_count + (size_t)tip) * angles];
-    double largest = 0.0;
-    for (size_t a = 0; a < angles; a++) largest = fmax(largest, energy[a]);
-    return largest;
+    return fmax(results->largest_energy[measure][(size_t)sample * (size_t)results->tip_count + (size_t)tip], 0.0);
 }
 
 double pdmc_certify_relative(const pdmc_results *results, pdmc_measure measure, int sample, double delta)

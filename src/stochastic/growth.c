@@ -24,6 +24,9 @@ pdmc_status pdmc_growth_create(const pdmc_variables *variables, const pdmc_affin
     for (int t = 0; t < options->threads; t++) {
         PDMC_TRY(pdmc_block_create(variables, model, &growth->block[t]));
         growth->block[t]->measure_alone = true;
+        if (t == 0 && variables->problem->energy.measure == PDMC_MEASURE_BOND)
+            PDMC_TRY(pdmc_block_make_forms(growth->block[0], &growth->forms));
+        PDMC_TRY(pdmc_block_use_forms(growth->block[t], growth->forms));
         if (full != model) PDMC_TRY(pdmc_block_create(variables, full, &growth->full_block[t]));
     }
 done:
@@ -36,6 +39,7 @@ void pdmc_growth_clear(pdmc_growth *growth)
         pdmc_block_destroy(&growth->block[t]);
         pdmc_block_destroy(&growth->full_block[t]);
     }
+    pdmc_energy_forms_destroy(&growth->forms);
     pdmc_free(growth->block);
     pdmc_free(growth->full_block);
     *growth = (pdmc_growth){0};
@@ -46,8 +50,7 @@ double pdmc_growth_of(const pdmc_block *block, int s, const pdmc_results *result
     const double toughness = pdmc_draw_fracture_energy(&block->drawn.draw[s]);
     double largest = 0.0;
     if (block->failure[s] != PDMC_SAMPLE_OK) return NAN;
-    for (int t = 0; t < results->tip_count; t++)
-        largest = fmax(largest, pdmc_block_largest_energy(block, s, t, results));
+    for (int t = 0; t < results->tip_count; t++) largest = fmax(largest, pdmc_block_largest_energy(block, s, t));
     if (toughness <= 0.0) return certain;
     if (largest <= 0.0) return -certain;
     return fmax(-certain, fmin(certain, log(largest / toughness)));
@@ -64,13 +67,19 @@ static bool is_in_doubt(const pdmc_growth *growth, const pdmc_block *block, int 
     return fabs(exp(0.5 * g) - 1.0) * sqrt(fmax(toughness, 0.0)) <= delta;
 }
 
+static void measure(const pdmc_growth *growth, pdmc_block *block)
+{
+    pdmc_block_measure(block);
+    if (block->problem->energy.measure == PDMC_MEASURE_GRIFFITH) pdmc_block_griffith(block, growth->results);
+}
+
 static pdmc_status solve_block(pdmc_growth *growth, pdmc_block *block, int count, const double z[], double g[],
                                bool doubt[])
 {
     pdmc_status status = pdmc_block_draw_points(block, z, count);
     if (status == PDMC_OK) status = pdmc_block_solve(block, count);
     if (status != PDMC_OK) return status;
-    pdmc_block_measure(block);
+    measure(growth, block);
     for (int s = 0; s < count; s++) {
         g[s] = pdmc_growth_of(block, s, growth->results);
         doubt[s] = is_in_doubt(growth, block, s, g[s]);
@@ -94,7 +103,7 @@ static pdmc_status solve_in_full(pdmc_growth *growth, pdmc_block *block, int cou
     }
     PDMC_TRY(pdmc_block_draw_points(block, point, found));
     PDMC_TRY(pdmc_block_solve_by(block, PDMC_INVERSE_KRYLOV, found));
-    pdmc_block_measure(block);
+    measure(growth, block);
     for (int k = 0; k < found; k++) g[place[k]] = pdmc_growth_of(block, k, growth->results);
 #pragma omp atomic
     growth->solved_in_full += found;

@@ -16,6 +16,7 @@ typedef struct {
     pdmc_results *results;           // tips and angles
     pdmc_block **block;              // [threads]
     pdmc_block **full_block;         // [threads] or NULL
+    pdmc_energy_forms *forms;        // of the model, or NULL
     long solved_in_full;
 } pdmc_growth;
 

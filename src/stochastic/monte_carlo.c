@@ -4,12 +4,14 @@
 #include "base/base_impl.h"
 #include "stochastic/block.h"
 #include "stochastic/certify.h"
+#include "stochastic/counts.h"
 #include "stochastic/rare_event.h"
 #include "stochastic/reduced.h"
 
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics.h>
 #include <math.h>
+#include <omp.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -20,10 +22,13 @@ typedef struct {
     const pdmc_affine *model; // that the samples are solved by
     const pdmc_run_options *options;
     pdmc_results *results;
-    int blocks, done;
+    int workers;                  // threads that blocks are shared out to
+    pdmc_block **block;           // [workers]
+    pdmc_energy_forms *forms;     // of the model, or NULL
+    pdmc_sample_counts **counts;  // [workers], or NULL where all samples are kept
+    int blocks, given, done;      // blocks in all, blocks given out, samples done
     double *residual;             // [samples] of the iteration
     double *delta[PDMC_MEASURES]; // [samples] what an energy's root may be off by in the reduced model
-    bool *finished;               // [blocks]
     bool stop;
     pdmc_status status;
     char message[512]; // of the thread that failed
@@ -46,83 +51,96 @@ static void note_accuracy(const run *r, const pdmc_block *block, int count)
     }
 }
 
-static pdmc_status solve_block(const run *r, pdmc_block *block, int index)
+// The reduced model is not asked for what its bound cannot answer: those samples are solved and counted later.
+static bool is_settled(const run *r, int sample)
 {
+    const double *delta = r->delta[r->results->measure];
+    return !delta || !pdmc_certify_is_in_doubt(r->results, sample, delta[sample]);
+}
+
+static pdmc_status solve_block(const run *r, int worker, int index)
+{
+    pdmc_block *block = r->block[worker];
     const int first = index * PDMC_BLOCK, count = block_size(r, index);
+    bool settled[PDMC_BLOCK];
     pdmc_status status = pdmc_block_draw(block, first, count);
     if (status == PDMC_OK) status = pdmc_block_solve(block, count);
     if (status != PDMC_OK) return status;
     pdmc_block_energies(block, r->problem->energy.bonds);
+    pdmc_block_griffith(block, r->results);
     pdmc_block_store(block, count, r->results);
     note_accuracy(r, block, count);
+    for (int s = 0; s < count; s++) settled[s] = is_settled(r, first + s);
+    if (r->counts) pdmc_sample_counts_add(r->counts[worker], block, count, settled);
     return PDMC_OK;
 }
 
 static void report_block(run *r, int index)
 {
-    r->finished[index] = true;
     r->done += block_size(r, index);
     if (r->options->progress && !r->options->progress(r->options->context, r->done, r->results->sample_count))
         r->stop = true;
 }
 
-static pdmc_status first_block(run *r, pdmc_block *block)
+// The next blocks, of which all are solved that are given out: what is done is always a beginning.
+static bool take_blocks(run *r, int *first, int *end)
 {
-    pdmc_status status = pdmc_block_nominal(block, r->results);
-    if (status == PDMC_OK) status = solve_block(r, block, 0);
-    if (status == PDMC_OK) report_block(r, 0);
-    return status;
+    bool found = false;
+#pragma omp critical(pdmc_report)
+    if (!r->stop && r->given < r->blocks) {
+        *first = r->given;
+        *end = r->given += r->counts ? PDMC_COUNTED_BLOCKS : 1;
+        if (*end > r->blocks) *end = r->blocks;
+        found = true;
+    }
+    return found;
 }
 
-static void work(run *r)
+static pdmc_status solve_blocks(run *r, int worker, int first, int end)
 {
-    pdmc_block *block = NULL;
-    pdmc_status mine = pdmc_block_create(r->variables, r->model, &block);
-#pragma omp single
-    {
-        if (mine == PDMC_OK) mine = first_block(r, block);
-        if (mine != PDMC_OK) r->stop = true;
-    }
-#pragma omp for schedule(dynamic)
-    for (int b = 1; b < r->blocks; b++) {
-        bool stop;
-#pragma omp atomic read
-        stop = r->stop;
-        if (stop || mine != PDMC_OK) continue;
-        mine = solve_block(r, block, b);
+    for (int b = first; b < end; b++) {
+        const pdmc_status status = solve_block(r, worker, b);
+        if (status != PDMC_OK) return status;
 #pragma omp critical(pdmc_report)
-        if (mine == PDMC_OK) report_block(r, b);
+        report_block(r, b);
     }
+    return r->counts ? pdmc_sample_counts_flush(r->counts[worker]) : PDMC_OK;
+}
+
+static void work(run *r, int worker)
+{
+    pdmc_status mine = PDMC_OK;
+    int first, end;
+    while (mine == PDMC_OK && take_blocks(r, &first, &end)) mine = solve_blocks(r, worker, first, end);
+    if (mine == PDMC_OK) return;
 #pragma omp critical(pdmc_report)
     {
-        if (mine != PDMC_OK) {
-            r->status = mine;
-            snprintf(r->message, sizeof r->message, "%s", pdmc_last_error());
-        }
-        if (block) {
-            r->results->runtime.sampling += block->solve_seconds / r->options->threads;
-            r->results->runtime.energy += block->energy_seconds / r->options->threads;
-        }
+        r->stop = true;
+        r->status = mine;
+        snprintf(r->message, sizeof r->message, "%s", pdmc_last_error());
     }
-    pdmc_block_destroy(&block);
 }
 
 static pdmc_status allocate_samples(const pdmc_problem *problem, pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
-    const size_t samples = (size_t)problem->sampling.samples;
-    const size_t directions = (size_t)(results->tip_count * results->angle_count);
+    const size_t samples = (size_t)problem->sampling.samples, kept = (size_t)pdmc_problem_kept(problem);
+    const size_t tips = (size_t)results->tip_count, directions = tips * (size_t)results->angle_count;
     results->sample_count = problem->sampling.samples;
+    results->kept_count = (int)kept;
     PDMC_NEW(results->load_factor, samples);
-    PDMC_NEW(results->micromodulus, samples * (size_t)results->bin_count);
+    PDMC_NEW(results->micromodulus, kept * (size_t)results->bin_count);
     PDMC_NEW(results->effective_modulus, samples);
     PDMC_NEW(results->contraction, samples);
     PDMC_NEW(results->failure, samples);
     PDMC_NEW(results->sample_solver, samples);
     PDMC_NEW(results->sample_fracture_energy, samples);
-    PDMC_NEW(results->growth_given_rest, samples * (size_t)results->tip_count);
-    PDMC_NEW(results->stress_intensity, samples * 2 * (size_t)results->tip_count);
-    for (int m = 0; m < PDMC_MEASURES; m++) PDMC_NEW(results->energy[m], samples * directions);
+    PDMC_NEW(results->growth_given_rest, samples * tips);
+    PDMC_NEW(results->stress_intensity, samples * 2 * tips);
+    for (int m = 0; m < PDMC_MEASURES; m++) {
+        PDMC_NEW(results->largest_energy[m], samples * tips);
+        PDMC_NEW(results->energy[m], kept * directions);
+    }
     PDMC_NEW(results->nominal_bond_energy, directions);
     PDMC_NEW(results->nominal_bond_energy_tensile, directions);
     PDMC_NEW(results->nominal_griffith_energy, directions);
@@ -130,14 +148,14 @@ done:
     return status;
 }
 
-// The samples before the first block that is missing; the arrays keep their size.
-static void cut_to_finished(const run *r)
+// The arrays keep their size.
+static void cut_to_done(const run *r)
 {
-    int blocks = 0;
-    while (blocks < r->blocks && r->finished[blocks]) blocks++;
-    if (blocks == r->blocks) return;
-    r->results->sample_count = blocks * PDMC_BLOCK;
-    r->results->status = PDMC_RUN_INTERRUPTED;
+    pdmc_results *results = r->results;
+    if (r->done == results->sample_count) return;
+    results->sample_count = r->done;
+    if (results->kept_count > r->done) results->kept_count = r->done;
+    results->status = PDMC_RUN_INTERRUPTED;
 }
 
 // Solves the listed samples by conjugate gradients on the full model, a block after the other.
@@ -145,6 +163,8 @@ static pdmc_status solve_in_full(const run *r, const pdmc_affine *full, int coun
 {
     pdmc_status status = PDMC_OK;
     pdmc_block *block = NULL;
+    bool all[PDMC_BLOCK];
+    for (int s = 0; s < PDMC_BLOCK; s++) all[s] = true;
     PDMC_TRY(pdmc_block_create(r->variables, full, &block));
     for (int first = 0; first < count; first += PDMC_BLOCK) {
         const int size = count - first < PDMC_BLOCK ? count - first : PDMC_BLOCK;
@@ -152,8 +172,11 @@ static pdmc_status solve_in_full(const run *r, const pdmc_affine *full, int coun
         PDMC_TRY(pdmc_block_solve_by(block, PDMC_INVERSE_KRYLOV, size));
         for (int s = 0; s < size; s++) block->solver[s] = PDMC_SOLVED_BY_KRYLOV;
         pdmc_block_energies(block, r->problem->energy.bonds);
+        pdmc_block_griffith(block, r->results);
         pdmc_block_store(block, size, r->results);
         note_accuracy(r, block, size);
+        if (r->counts) pdmc_sample_counts_add(r->counts[0], block, size, all);
+        if (r->counts) PDMC_TRY(pdmc_sample_counts_flush(r->counts[0]));
         for (int s = 0; s < size; s++)
             for (int m = 0; m < PDMC_MEASURES; m++) r->delta[m][sample[first + s]] = 0.0;
     }
@@ -164,15 +187,13 @@ done:
     return status;
 }
 
-// The reduced model is not asked for what its bound cannot answer.
 static pdmc_status settle_doubts(const run *r, const pdmc_affine *full)
 {
     pdmc_status status = PDMC_OK;
-    const double *delta = r->delta[r->results->measure];
     int count = 0, *sample = NULL;
     PDMC_NEW(sample, r->results->sample_count);
     for (int s = 0; s < r->results->sample_count; s++)
-        if (pdmc_certify_is_in_doubt(r->results, s, delta[s])) sample[count++] = s;
+        if (!is_settled(r, s)) sample[count++] = s;
     PDMC_TRY(solve_in_full(r, full, count, sample));
     r->results->accuracy.solved_in_full = count;
 done:
@@ -203,19 +224,55 @@ done:
     return status;
 }
 
+// The nominal energies, and what each worker has.
+static pdmc_status employ(run *r)
+{
+    pdmc_status status = PDMC_OK;
+    PDMC_NEW(r->block, r->workers);
+    PDMC_TRY(pdmc_block_create(r->variables, r->model, &r->block[0]));
+    PDMC_TRY(pdmc_block_make_forms(r->block[0], &r->forms));
+    for (int w = 1; w < r->workers; w++) PDMC_TRY(pdmc_block_create(r->variables, r->model, &r->block[w]));
+    for (int w = 0; w < r->workers; w++) PDMC_TRY(pdmc_block_use_forms(r->block[w], r->forms));
+    PDMC_TRY(pdmc_block_nominal(r->block[0], r->results));
+    if (r->results->kept_count == r->results->sample_count) goto done;
+    PDMC_NEW(r->counts, r->workers);
+    for (int w = 0; w < r->workers; w++) PDMC_TRY(pdmc_sample_counts_create(r->results, &r->counts[w]));
+done:
+    return status;
+}
+
+static void dismiss(run *r)
+{
+    for (int w = 0; w < r->workers; w++) {
+        if (r->block) pdmc_block_destroy(&r->block[w]);
+        if (r->counts) pdmc_sample_counts_destroy(&r->counts[w]);
+    }
+    pdmc_energy_forms_destroy(&r->forms);
+    pdmc_free(r->block);
+    pdmc_free(r->counts);
+    pdmc_free(r->residual);
+    for (int m = 0; m < PDMC_MEASURES; m++) pdmc_free(r->delta[m]);
+}
+
 // Draws and solves all samples by one model.
 static pdmc_status run_all(run *r)
 {
     pdmc_status status = PDMC_OK;
+    pdmc_runtime *runtime = &r->results->runtime;
     PDMC_NEW(r->residual, r->results->sample_count);
     for (int m = 0; m < PDMC_MEASURES && r->problem->sampling.inverse == PDMC_INVERSE_REDUCED; m++)
         PDMC_NEW(r->delta[m], r->results->sample_count);
     r->blocks = (r->results->sample_count + PDMC_BLOCK - 1) / PDMC_BLOCK;
-    PDMC_NEW(r->finished, r->blocks);
-#pragma omp parallel num_threads(pdmc_block_threads(r->model, r->options->threads))
-    work(r);
+    PDMC_TRY(employ(r));
+#pragma omp parallel num_threads(r->workers)
+    work(r, omp_get_thread_num());
     if (r->status != PDMC_OK) PDMC_FAIL(r->status, "%s", r->message);
-    cut_to_finished(r);
+    cut_to_done(r);
+    for (int w = 0; w < r->workers; w++) {
+        runtime->sampling += r->block[w]->solve_seconds / r->options->threads;
+        runtime->energy += r->block[w]->energy_seconds / r->options->threads;
+    }
+    for (int w = 1; w < r->workers && r->counts; w++) PDMC_TRY(pdmc_sample_counts_merge(r->counts[0], r->counts[w]));
 done:
     return status;
 }
@@ -253,8 +310,9 @@ done:
 }
 
 pdmc_status pdmc_monte_carlo(const pdmc_problem *problem, const pdmc_affine *model, const pdmc_run_options *options,
-                             pdmc_results *results)
+                             pdmc_results *results, pdmc_sample_counts **counts)
 {
+    *counts = NULL;
     PDMC_REQUIRE(options->threads >= 1, "%d threads: at least one is needed", options->threads);
     PDMC_REQUIRE(problem->sampling.samples >= 1, "%d samples: at least one is needed", problem->sampling.samples);
     pdmc_status status = PDMC_OK;
@@ -265,7 +323,8 @@ pdmc_status pdmc_monte_carlo(const pdmc_problem *problem, const pdmc_affine *mod
              .variables = &variables,
              .model = is_reduced ? &reduced : model,
              .options = options,
-             .results = results};
+             .results = results,
+             .workers = pdmc_block_threads(model, options->threads)};
     results->accuracy = pdmc_no_accuracy;
     pdmc_blas_prepare();
     PDMC_TRY(pdmc_variables_create(problem, model, &variables));
@@ -276,11 +335,13 @@ pdmc_status pdmc_monte_carlo(const pdmc_problem *problem, const pdmc_affine *mod
     PDMC_TRY(summarise_accuracy(&r));
     if (results->status == PDMC_RUN_COMPLETE) PDMC_TRY(pdmc_rare_event(&variables, r.model, model, options, results));
     for (int s = 0; s < results->sample_count; s++) results->failed_count += results->failure[s] != PDMC_SAMPLE_OK;
+    if (r.counts) {
+        *counts = r.counts[0];
+        r.counts[0] = NULL;
+    }
 done:
+    dismiss(&r);
     pdmc_affine_clear(&reduced);
     pdmc_variables_clear(&variables);
-    pdmc_free(r.finished);
-    pdmc_free(r.residual);
-    for (int m = 0; m < PDMC_MEASURES; m++) pdmc_free(r.delta[m]);
     return status;
 }

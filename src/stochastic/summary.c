@@ -2,14 +2,11 @@
 #include "pdmc/stochastic.h"
 
 #include "base/base_impl.h"
+#include "stochastic/counts.h"
 
 #include <gsl/gsl_sort.h>
 #include <math.h>
 #include <string.h>
-
-// Directions whose energies agree to this share the sample: a symmetric plate has two equal maxima, which rounding
-// would otherwise deal out.
-static const double tie = 1e-6;
 
 static pdmc_status allocate(pdmc_results *results)
 {
@@ -83,16 +80,44 @@ static void summarise_direction(pdmc_results *results, int measure, size_t direc
                               &statistics->density[direction * bins]);
 }
 
-// Adds one sample to the shares of its largest directions, and tells the largest energy.
-static double share_largest(const double energy[], int angles, double share[])
+// The same from a tally.
+static void summarise_counted(const pdmc_sample_counts *counts, pdmc_results *results, int measure, size_t direction)
+{
+    pdmc_energy_statistics *statistics = &results->statistics[measure];
+    const size_t bins = (size_t)results->histogram_bins, directions = (size_t)(counts->tips * counts->angles);
+    const size_t quantity = (size_t)measure * directions + direction;
+    pdmc_tally_moments(counts->tally, quantity, results->confidence, &statistics->mean[direction],
+                       &statistics->standard_deviation[direction]);
+    for (int q = 0; q < PDMC_QUANTILES; q++)
+        statistics->quantiles[direction * PDMC_QUANTILES + (size_t)q] =
+            pdmc_tally_quantile(counts->tally, quantity, pdmc_quantile_levels[q], results->confidence);
+    pdmc_tally_histogram(counts->tally, quantity, results->histogram_bins, results->confidence,
+                         &statistics->histogram_edges[direction * (bins + 1)],
+                         &statistics->histogram_counts[direction * (bins + 2)], &statistics->density[direction * bins]);
+}
+
+// Adds one sample to the shares of its largest directions.
+static void share_largest(const double energy[], int angles, double share[])
 {
     double largest = energy[0];
     int count = 0;
     for (int a = 1; a < angles; a++) largest = fmax(largest, energy[a]);
-    for (int a = 0; a < angles; a++) count += energy[a] >= (1.0 - tie) * largest;
+    for (int a = 0; a < angles; a++) count += pdmc_is_largest(energy[a], largest);
     for (int a = 0; a < angles; a++)
-        if (energy[a] >= (1.0 - tie) * largest) share[a] += 1.0 / count;
-    return largest;
+        if (pdmc_is_largest(energy[a], largest)) share[a] += 1.0 / count;
+}
+
+// The number of samples whose energy is largest at each angle; one that has it at several is shared out.
+static void share_directions(const pdmc_sample_counts *counts, const pdmc_results *results, int tip, double share[])
+{
+    const size_t angles = (size_t)results->angle_count, tips = (size_t)results->tip_count;
+    memset(share, 0, angles * sizeof *share);
+    for (size_t s = 0; !counts && s < (size_t)results->sample_count; s++)
+        if (results->failure[s] == PDMC_SAMPLE_OK)
+            share_largest(&results->energy[results->measure][(s * tips + (size_t)tip) * angles], (int)angles, share);
+    for (size_t a = 0; counts && a < angles; a++)
+        for (size_t n = 0; n < angles; n++)
+            share[a] += (double)counts->largest[((size_t)tip * angles + a) * angles + n] / (double)(n + 1);
 }
 
 // The share of the event among the samples that did not fail, with bounds for which a failed sample may have been either.
@@ -124,47 +149,70 @@ static pdmc_estimate find_conditional(const pdmc_results *results, int tip, doub
     return (pdmc_estimate){mean.value, fmax(mean.lower, 0.0), fmin(mean.upper, 1.0)};
 }
 
-static void summarise_tip(pdmc_results *results, int tip, double share[], bool event[], double x[])
+static void summarise_tip(const pdmc_sample_counts *counts, pdmc_results *results, int tip, double share[],
+                          bool event[], double x[])
 {
-    const int angles = results->angle_count, tips = results->tip_count;
+    const int angles = results->angle_count;
     const size_t samples = (size_t)results->sample_count, failed = (size_t)results->failed_count;
-    memset(share, 0, (size_t)angles * sizeof *share);
-    for (size_t s = 0; s < samples; s++) {
-        event[s] = false;
-        if (results->failure[s] != PDMC_SAMPLE_OK) continue;
-        const double *energy = &results->energy[results->measure][(s * (size_t)tips + (size_t)tip) * (size_t)angles];
-        event[s] = share_largest(energy, angles, share) > results->sample_fracture_energy[s];
-    }
+    const double *largest = results->largest_energy[results->measure];
+    share_directions(counts, results, tip, share);
     for (int a = 0; a < angles; a++) {
         pdmc_estimate *direction = &results->direction[tip * angles + a];
         *direction = pdmc_statistics_proportion((size_t)lround(share[a]), samples - failed, results->confidence);
         direction->value = share[a] / (double)(samples - failed);
     }
+    for (size_t s = 0; s < samples; s++)
+        event[s] = results->failure[s] == PDMC_SAMPLE_OK &&
+                   largest[s * (size_t)results->tip_count + (size_t)tip] > results->sample_fracture_energy[s];
     results->probability[tip] = find_probability(results, event);
     results->conditional_probability[tip] = find_conditional(results, tip, x);
 }
 
-pdmc_status pdmc_summarise(const pdmc_run_options *options, pdmc_results *results)
+// Each thread has a scratch of its own, [2, samples].
+static pdmc_status summarise_kept(const pdmc_run_options *options, pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
+    const int measured = PDMC_MEASURES * results->tip_count * results->angle_count,
+              directions = measured / PDMC_MEASURES;
+    const size_t samples = (size_t)results->sample_count;
+    double *scratch = NULL;
+    PDMC_NEW(scratch, 2 * samples * (size_t)options->threads);
+#pragma omp parallel for schedule(static) num_threads(options->threads)
+    for (int thread = 0; thread < options->threads; thread++)
+        for (int i = thread; i < measured; i += options->threads)
+            summarise_direction(results, i / directions, (size_t)(i % directions),
+                                &scratch[2 * (size_t)thread * samples], &scratch[(2 * (size_t)thread + 1) * samples]);
+done:
+    pdmc_free(scratch);
+    return status;
+}
+
+static void summarise_all_counted(const pdmc_run_options *options, const pdmc_sample_counts *counts,
+                                  pdmc_results *results)
+{
     const int directions = results->tip_count * results->angle_count;
-    double *scratch = NULL, *share = NULL;
+#pragma omp parallel for schedule(dynamic) num_threads(options->threads)
+    for (int i = 0; i < PDMC_MEASURES * directions; i++)
+        summarise_counted(counts, results, i / directions, (size_t)(i % directions));
+}
+
+pdmc_status pdmc_summarise(const pdmc_run_options *options, const pdmc_sample_counts *counts, pdmc_results *results)
+{
+    pdmc_status status = PDMC_OK;
+    double *x = NULL, *share = NULL;
     bool *event = NULL;
     const size_t samples = (size_t)results->sample_count;
     if (results->failed_count == results->sample_count)
         PDMC_FAIL(PDMC_ERR_DATA, "all %d samples failed: there is nothing to summarise", results->sample_count);
     PDMC_TRY(allocate(results));
-    PDMC_NEW(scratch, 2 * samples * (size_t)options->threads);
+    PDMC_NEW(x, samples);
     PDMC_NEW(event, samples);
     PDMC_NEW(share, results->angle_count);
-#pragma omp parallel for schedule(static) num_threads(options->threads)
-    for (int thread = 0; thread < options->threads; thread++)
-        for (int i = thread; i < PDMC_MEASURES * directions; i += options->threads)
-            summarise_direction(results, i / directions, (size_t)(i % directions),
-                                &scratch[2 * (size_t)thread * samples], &scratch[(2 * (size_t)thread + 1) * samples]);
-    for (int t = 0; t < results->tip_count; t++) summarise_tip(results, t, share, event, scratch);
+    if (counts) summarise_all_counted(options, counts, results);
+    else PDMC_TRY(summarise_kept(options, results));
+    for (int t = 0; t < results->tip_count; t++) summarise_tip(counts, results, t, share, event, x);
 done:
-    pdmc_free(scratch);
+    pdmc_free(x);
     pdmc_free(share);
     pdmc_free(event);
     return status;

@@ -260,6 +260,9 @@ const pdmc_study_setting pdmc_study_settings[] = {
 
     {SECTION_SAMPLING, "samples", KIND_INT, .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.samples),
      .fallback = "1000", .doc = "a smaller number is a prefix of a larger one, but for a Latin hypercube"},
+    {SECTION_SAMPLING, "keep", KIND_INT, .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.keep),
+     .fallback = "20000",
+     .doc = "independent samples of which the file has c(r) and the energies at every angle; the statistics are of all"},
     {SECTION_SAMPLING, "design", KIND_CHOICE, .offset = IN_PROBLEM(sampling.design), .choices = DESIGNS,
      .fallback = "monte_carlo",
      .doc = "independent samples, or replicates of a Latin hypercube or of a scrambled Sobol' sequence, which need fewer"},

@@ -115,13 +115,19 @@ done:
     return status;
 }
 
+int pdmc_compared_samples(const pdmc_comparison *c, int which)
+{
+    const int own = c->results[which]->kept_count, other = c->results[1 - which]->kept_count;
+    return c->paired && other < own ? other : own;
+}
+
 /// The energies of the samples that did not fail, of pairs in neither of the two.
 static size_t gather(const pdmc_comparison *c, const pdmc_compared_angle *angle, int which, double x[])
 {
     const pdmc_results *r = c->results[which], *other = c->results[1 - which];
     const size_t stride = pdmc_place(r, r->tip_count, 0);
     size_t count = 0;
-    for (size_t s = 0; s < (size_t)r->sample_count; s++)
+    for (size_t s = 0; s < (size_t)pdmc_compared_samples(c, which); s++)
         if (r->failure[s] == PDMC_SAMPLE_OK && (!c->paired || other->failure[s] == PDMC_SAMPLE_OK))
             x[count++] = r->energy[c->measure][s * stride + angle->place[which]];
     return count;
@@ -145,7 +151,7 @@ static pdmc_status compare_angle(const pdmc_comparison *c, pdmc_compared_angle *
     double *x[PDMC_COMPARED] = {NULL, NULL};
     size_t n[PDMC_COMPARED];
     for (int i = 0; i < PDMC_COMPARED; i++) {
-        PDMC_NEW(x[i], c->results[i]->sample_count);
+        PDMC_NEW(x[i], pdmc_compared_samples(c, i));
         n[i] = gather(c, angle, i, x[i]);
     }
     pdmc_statistics_means(n[0], x[0], n[1], x[1], c->paired, confidence, &angle->difference, &angle->ratio);
@@ -230,11 +236,10 @@ done:
     return status;
 }
 
-/// The same in every sample that both have; of no values, not.
-static bool same_values(const pdmc_comparison *c, const double a[], const double b[], int width_a, int width_b)
+/// The same in every one of the samples; of no values, not.
+static bool same_values(int samples, const double a[], const double b[], int width_a, int width_b)
 {
-    const int samples = c->results[0]->sample_count;
-    if (c->results[1]->sample_count != samples || width_a != width_b || width_a == 0 || samples == 0) return false;
+    if (width_a != width_b || width_a == 0 || samples == 0) return false;
     return memcmp(a, b, (size_t)samples * (size_t)width_a * sizeof *a) == 0;
 }
 
@@ -243,11 +248,12 @@ static void find_pairs(pdmc_comparison *c)
 {
     const pdmc_results *a = c->results[0], *b = c->results[1];
     c->paired = a->seed == b->seed && a->sample_count == b->sample_count && a->sample_count > 0;
-    c->same_load = c->paired && same_values(c, a->load_factor, b->load_factor, 1, 1);
+    c->same_load = c->paired && same_values(a->sample_count, a->load_factor, b->load_factor, 1, 1);
     c->same_micromodulus =
         c->paired && (a->bin_count == 0 && b->bin_count == 0
                           ? true
-                          : same_values(c, a->micromodulus, b->micromodulus, a->bin_count, b->bin_count));
+                          : same_values(pdmc_compared_samples(c, 0), a->micromodulus, b->micromodulus, a->bin_count,
+                                         b->bin_count));
 }
 
 static void note_angles(const pdmc_comparison *c, FILE *notes)

@@ -40,6 +40,9 @@ struct pdmc_comparison {
 /// What a tip is called.
 const char *pdmc_compared_name(const pdmc_comparison *c, const pdmc_compared_tip *tip);
 
+/// The samples whose energies are compared, the first of those of a file: all that it keeps, of pairs what both keep.
+int pdmc_compared_samples(const pdmc_comparison *c, int which);
+
 /// The nominal energy of the measure of the comparison, with the bonds that its samples count.
 double pdmc_compared_nominal(const pdmc_comparison *c, const pdmc_compared_angle *angle, int which);
 

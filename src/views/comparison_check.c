@@ -57,6 +57,14 @@ static void remark_problem(const pdmc_comparison *c, FILE *notes)
         fputs("bond energies count all bonds in one of the files, and bonds in tension only in the other\n", notes);
 }
 
+static void remark_kept(const pdmc_comparison *c, FILE *notes)
+{
+    for (int i = 0; i < PDMC_COMPARED; i++)
+        if (pdmc_compared_samples(c, i) < c->results[i]->sample_count)
+            fprintf(notes, "energies are compared of the first %d of the %d samples of %s\n", pdmc_compared_samples(c, i),
+                    c->results[i]->sample_count, c->labels[i]);
+}
+
 static void remark_samples(const pdmc_comparison *c, FILE *notes)
 {
     const pdmc_results *a = c->results[0], *b = c->results[1];
@@ -78,4 +86,5 @@ void pdmc_comparison_remark(const pdmc_comparison *c, FILE *notes)
     }
     remark_problem(c, notes);
     remark_samples(c, notes);
+    remark_kept(c, notes);
 }

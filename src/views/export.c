@@ -149,15 +149,6 @@ static void write_samples_header(const pdmc_results *r, const csv_units *units, 
     fputc('\n', stream);
 }
 
-/// The largest of a tip's energies; NaN where the sample failed.
-static double largest(const pdmc_results *r, int measure, int sample, int tip)
-{
-    double best = NAN;
-    const size_t at = ((size_t)sample * (size_t)r->tip_count + (size_t)tip) * (size_t)r->angle_count;
-    for (size_t k = 0; k < (size_t)r->angle_count; k++) best = fmax(best, r->energy[measure][at + k]);
-    return best;
-}
-
 static void write_samples(const pdmc_results *r, const csv_units *units, FILE *stream)
 {
     static const char *const failures[] = {
@@ -177,7 +168,7 @@ static void write_samples(const pdmc_results *r, const csv_units *units, FILE *s
             const double *k = &r->stress_intensity[2 * ((size_t)s * (size_t)r->tip_count + (size_t)t)];
             put_number(stream, k[0]);
             put_number(stream, k[1]);
-            for (int m = 0; m < PDMC_MEASURES; m++) put_number(stream, largest(r, m, s, t));
+            for (int m = 0; m < PDMC_MEASURES; m++) put_number(stream, r->largest_energy[m][(size_t)s * (size_t)r->tip_count + (size_t)t]);
         }
         fputc('\n', stream);
     }
@@ -189,7 +180,7 @@ static void write_energy_samples(const pdmc_results *r, const csv_units *units, 
     for (int m = 0; m < PDMC_MEASURES; m++) put_column(stream, pdmc_measure_names[m], units->energy);
     fputc('\n', stream);
     size_t at = 0;
-    for (int s = 0; s < r->sample_count; s++)
+    for (int s = 0; s < r->kept_count; s++)
         for (int t = 0; t < r->tip_count; t++)
             for (int k = 0; k < r->angle_count; k++, at++) {
                 fprintf(stream, "%d,", s);
@@ -284,10 +275,10 @@ done:
     return status;
 }
 
-/// Above this, every energy of every sample as text is of no use: it is in the result file.
+/// Above this, every energy of every sample that is kept as text is of no use: it is in the result file.
 static bool energies_are_few(const pdmc_results *r)
 {
-    return (double)r->sample_count * r->tip_count * r->angle_count <= 1e6;
+    return (double)r->kept_count * r->tip_count * r->angle_count <= 1e6;
 }
 
 typedef struct {

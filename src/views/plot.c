@@ -85,7 +85,7 @@ pdmc_status pdmc_view_plot(const pdmc_results *results, const char *folder)
     PDMC_TRY(pdmc_folder_make(folder));
     if (results->angle_count > 0)
         for (int t = 0; t < results->tip_count; t++) PDMC_TRY(plot_tip(results, folder, t));
-    if (results->bin_count > 0 && results->sample_count > 0)
+    if (results->bin_count > 0 && results->kept_count > 0)
         PDMC_TRY(plot(results, folder, "micromodulus", OF_MICROMODULUS, 0, results->measure));
     if (results->motion.time_count > 0) PDMC_TRY(plot_motion(results, folder));
     PDMC_TRY(plot(results, folder, "plate", OF_PLATE, 0, results->measure));

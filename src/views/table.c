@@ -37,6 +37,8 @@ static void print_sampling(const pdmc_results *r, FILE *stream)
     pdmc_results_unit(r, PDMC_UNIT_ENERGY, sizeof unit, unit);
     fprintf(stream, "  %d samples from seed %llu, %d failed; [intervals] at %g %% confidence\n", r->sample_count,
             (unsigned long long)r->seed, r->failed_count, 100.0 * r->confidence);
+    if (r->kept_count < r->sample_count)
+        fprintf(stream, "  every energy is kept of the first %d samples; the statistics are of all\n", r->kept_count);
     fprintf(stream, "  the %s energy decides P(G > G_c) and the direction; G_c ", pdmc_measure_title(r->measure));
     print_toughness(r, stream);
     fprintf(stream, " %.20s\n", pdmc_one_line(text, unit));

@@ -154,6 +154,14 @@ static void make_field(pdmc_results *r)
     }
 }
 
+static double largest_of(const pdmc_results *r, int measure, int sample, int tip)
+{
+    double largest = NAN;
+    for (int k = 0; k < r->angle_count; k++)
+        largest = fmax(largest, r->energy[measure][(sample * r->tip_count + tip) * r->angle_count + k]);
+    return largest;
+}
+
 static void make_sample(pdmc_results *r, int s, uint64_t *state)
 {
     double modulus = 1.0;
@@ -179,6 +187,7 @@ static void make_sample(pdmc_results *r, int s, uint64_t *state)
             for (int m = 0; m < PDMC_MEASURES; m++)
                 r->energy[m][i] = failed ? NAN : (m ? 0.175 : 0.13) * scale * shape(angle, (pdmc_measure)m);
         }
+        for (int m = 0; m < PDMC_MEASURES; m++) r->largest_energy[m][s * r->tip_count + t] = largest_of(r, m, s, t);
     }
 }
 
@@ -194,7 +203,10 @@ static void make_samples(pdmc_results *r)
     r->contraction = NEW(samples, double);
     r->failure = NEW(samples, uint8_t);
     r->stress_intensity = NEW(samples * tips * 2, double);
-    for (int m = 0; m < PDMC_MEASURES; m++) r->energy[m] = NEW(samples * tips * (size_t)r->angle_count, double);
+    for (int m = 0; m < PDMC_MEASURES; m++) {
+        r->energy[m] = NEW(samples * tips * (size_t)r->angle_count, double);
+        r->largest_energy[m] = NEW(samples * tips, double);
+    }
     for (int s = 0; s < r->sample_count; s++) make_sample(r, s, &state);
 }
 
@@ -383,6 +395,7 @@ pdmc_results made_up_results(made_up_size size)
                       .tip_count = size.times > 0 ? 0 : TIPS_A_CRACK * size.cracks,
                       .angle_count = size.angles,
                       .sample_count = size.samples,
+                      .kept_count = size.samples,
                       .failed_count = size.failed,
                       .bin_count = size.radial_bins,
                       .histogram_bins = size.histogram_bins,

@@ -63,7 +63,7 @@ static inline void toy_make(toy *t, double micromodulus_variation, double load_v
         .material = {1.0, PDMC_PLANE_STRESS, 1.0},
         .uncertainty_count = 2,
         .uncertainties = t->uncertainties,
-        .sampling = {.seed = 7, .samples = 1000, .inverse = PDMC_INVERSE_NEUMANN, .order = 4},
+        .sampling = {.seed = 7, .samples = 1000, .keep = 1000000, .inverse = PDMC_INVERSE_NEUMANN, .order = 4},
         .energy = {.tip_count = 1, .tips = &t->tip, .angles = ANGLES, .extension = 0.1, .horizon = 1.0},
     };
     t->model = (pdmc_affine){
@@ -107,8 +107,10 @@ static inline pdmc_status toy_run(toy *t, const pdmc_run_options *options, pdmc_
     r->angles = pdmc_calloc(ANGLES, sizeof *r->angles);
     if (!r->tips || !r->angles) return PDMC_ERR_NOMEM;
     for (int d = 0; d < ANGLES; d++) r->angles[d] = 1.5707963267948966 * d;
-    pdmc_status status = pdmc_monte_carlo(&t->problem, &t->model, options, r);
-    if (status == PDMC_OK) status = pdmc_summarise(options, r);
+    pdmc_sample_counts *counts = NULL;
+    pdmc_status status = pdmc_monte_carlo(&t->problem, &t->model, options, r, &counts);
+    if (status == PDMC_OK) status = pdmc_summarise(options, counts, r);
+    pdmc_sample_counts_destroy(&counts);
     return status;
 }
 
