@@ -26,14 +26,17 @@ PDMC_API void pdmc_sample_counts_destroy(pdmc_sample_counts **counts);
 /// Sample i depends on (seed, i) alone; samples are solved in blocks of PDMC_BLOCK, by
 ///  - the Neumann expansion (Evangelatos & Spanos 2011, eq. 52, with the sign (-1)^j that is missing in print)
 ///        x = sum_{j <= order} (-K_0^-1 K'(xi))^j K_0^-1 F,
-///    whose contraction factor is measured as the ratio of the norms of its last two terms, or
+///    whose contraction factor is measured as the ratio of the norms of its last two terms; where that is 1 or more the
+///    sample is solved by a surer way, which results->sample_solver names;
+///  - conjugate gradients, or a reduced model with a bound of its error; or
 ///  - the sample's own factorisation.
-/// A sample that cannot be solved is marked in results->failure and has NaN for results.
+/// A sample that cannot be solved is marked in results->failure and has NaN for results. Rare growth, where the problem
+/// asks for it, comes after the samples, in results->reliability.
 /// @param[in]     model    of the problem
 /// @param[in,out] results  the problem's tips, angles, measure, bonds and bins are set; the sample arrays are made and filled,
 ///                         as are the nominal energies, the status and the times of sampling and energy
 /// @param[out]    counts   what pdmc_summarise() needs of samples that are not kept, to be freed; NULL where all are
-/// @return PDMC_OK (also when stopped early), PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
+/// @return PDMC_OK (also when stopped early), PDMC_ERR_ARG, PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_monte_carlo(const pdmc_problem *problem, const pdmc_affine *model,
                                                      const pdmc_run_options *options, pdmc_results *results,
                                                      pdmc_sample_counts **counts);
