@@ -16,6 +16,7 @@
 #include <gsl/gsl_math.h>
 
 #define CRACK "cracks = ( { name = \"c\"; from = [-0.25, 0.0]; to = [0.25, 0.0]; } ); energy = { angles = 8; };"
+#define SLANTED "cracks = ( { name = \"c\"; from = [-0.1, -0.2]; to = [0.3, 0.1]; } ); energy = { angles = 8; };"
 #define LENGTH "{ quantity = \"crack_length\"; distribution = \"uniform\"; lower = 0.3; upper = 0.7; }"
 #define ANGLE "{ quantity = \"crack_angle\"; location = 5; scale = 30; }"
 #define X "{ quantity = \"crack_x\"; location = 0; scale = 0.3; }"
@@ -36,13 +37,15 @@ static double value_of(const pdmc_problem *problem, pdmc_quantity quantity, pdmc
     return pdmc_distribution_value(&pdmc_problem_uncertainty(problem, quantity)->law, pdmc_normal_quantile(u));
 }
 
-// The crack of a sample.
+// The crack of a sample, about the middle and from the angle of the study's.
 static pdmc_crack crack_of(const pdmc_problem *p, int sample)
 {
     const double half = 0.5 * value_of(p, PDMC_QUANTITY_CRACK_LENGTH, PDMC_STREAM_CRACK_LENGTH, sample);
-    const double angle = M_PI / 180.0 * value_of(p, PDMC_QUANTITY_CRACK_ANGLE, PDMC_STREAM_CRACK_ANGLE, sample);
-    const double x = value_of(p, PDMC_QUANTITY_CRACK_X, PDMC_STREAM_CRACK_X, sample);
-    const double y = value_of(p, PDMC_QUANTITY_CRACK_Y, PDMC_STREAM_CRACK_Y, sample);
+    const pdmc_crack *c = &p->cracks[0];
+    const double angle = atan2(c->to[1] - c->from[1], c->to[0] - c->from[0]) +
+                         M_PI / 180.0 * value_of(p, PDMC_QUANTITY_CRACK_ANGLE, PDMC_STREAM_CRACK_ANGLE, sample);
+    const double x = 0.5 * (c->from[0] + c->to[0]) + value_of(p, PDMC_QUANTITY_CRACK_X, PDMC_STREAM_CRACK_X, sample);
+    const double y = 0.5 * (c->from[1] + c->to[1]) + value_of(p, PDMC_QUANTITY_CRACK_Y, PDMC_STREAM_CRACK_Y, sample);
     return (pdmc_crack){.name = "c",
                         .from = {x - half * cos(angle), y - half * sin(angle)},
                         .to = {x + half * cos(angle), y + half * sin(angle)}};
@@ -91,7 +94,7 @@ static void samples_are_plates_with_their_cracks(void **state)
 {
     (void)state;
     pdmc_study study;
-    read_study(CRACK, ALL, "samples = 4;", &study);
+    read_study(SLANTED, ALL, "samples = 4;", &study);
     check_samples(&study, rounding);
     pdmc_study_clear(&study);
 }
