@@ -177,6 +177,34 @@ static void an_older_file_without_memory_and_accuracy_is_read(void **state)
     pdmc_results_clear(&results);
 }
 
+// Before there were kept samples, the file had every energy of all; what is largest is found again.
+static void an_older_file_has_all_energies(void **state)
+{
+    (void)state;
+    const char *path = scratch_path("older.h5"), *const later[] = {"largest_bond_energy", "largest_griffith_energy",
+                                                                   "growth_given_rest", "fracture_energy", "solver"};
+    pdmc_results now, results;
+    hid_t file = open_copy(path);
+    H5Fclose(file);
+    CHECK_OK(pdmc_results_read(path, &now));
+    file = open_copy(path);
+    const hid_t samples = H5Gopen2(file, "/samples", H5P_DEFAULT);
+    for (size_t i = 0; i < sizeof later / sizeof later[0]; i++) H5Ldelete(samples, later[i], H5P_DEFAULT);
+    H5Gclose(samples);
+    H5Fclose(file);
+    CHECK_OK(pdmc_results_read(path, &results));
+    assert_int_equal(results.kept_count, now.sample_count);
+    for (int m = 0; m < PDMC_MEASURES; m++)
+        for (int i = 0; i < now.sample_count * now.tip_count; i++) {
+            const double a = results.largest_energy[m][i], b = now.largest_energy[m][i];
+            assert_true(a == b || (isnan(a) && isnan(b)));
+        }
+    assert_true(isnan(results.growth_given_rest[0]) && isnan(results.sample_fracture_energy[0]));
+    assert_int_equal(results.sample_solver[0], PDMC_SOLVED_AS_ASKED);
+    pdmc_results_clear(&results);
+    pdmc_results_clear(&now);
+}
+
 /// Damaged bytes may pass unseen where they are numbers; they must never crash, and a refusal must be a clean one.
 static void damaged_bytes_never_crash(void **state)
 {
@@ -229,6 +257,7 @@ int main(void)
         cmocka_unit_test(contradictions_are_refused),
         cmocka_unit_test(missing_parts_are_named),
         cmocka_unit_test(an_older_file_without_memory_and_accuracy_is_read),
+        cmocka_unit_test(an_older_file_has_all_energies),
         cmocka_unit_test(damaged_bytes_never_crash),
         cmocka_unit_test(a_compressed_copy_is_read),
     };

@@ -53,6 +53,33 @@ static void fewer_samples_are_a_prefix(void **state)
     pdmc_results_clear(&many);
 }
 
+// Not all are kept: the file has the first, and statistics of all.
+static void kept_samples_are_a_beginning(void **state)
+{
+    (void)state;
+    const size_t kept = 100;
+    pdmc_results all, some;
+    run_and_read("samples = 2000;", 2, &all);
+    run_and_read("samples = 2000; keep = 100;", 2, &some);
+    const size_t directions = (size_t)(all.tip_count * all.angle_count), tips = (size_t)all.tip_count;
+    assert_int_equal(all.kept_count, 2000);
+    assert_int_equal(some.kept_count, 100);
+    assert_int_equal(some.sample_count, 2000);
+    assert_same("micromodulus", all.micromodulus, some.micromodulus, kept * (size_t)all.bin_count * sizeof(double));
+    assert_same("stress_intensity", all.stress_intensity, some.stress_intensity, 2000 * 2 * tips * sizeof(double));
+    for (int m = 0; m < PDMC_MEASURES; m++) {
+        assert_same("energy", all.energy[m], some.energy[m], kept * directions * sizeof(double));
+        assert_same("largest", all.largest_energy[m], some.largest_energy[m], 2000 * tips * sizeof(double));
+        for (size_t d = 0; d < directions; d++)
+            CHECK_NEAR(some.statistics[m].mean[d].value, all.statistics[m].mean[d].value,
+                       1e-13 * all.statistics[m].mean[d].value);
+    }
+    assert_same("probability", all.probability, some.probability, tips * sizeof(pdmc_estimate));
+    for (size_t d = 0; d < directions; d++) CHECK_NEAR(some.direction[d].value, all.direction[d].value, 1e-12);
+    pdmc_results_clear(&all);
+    pdmc_results_clear(&some);
+}
+
 static void seeds_are_different(void **state)
 {
     (void)state;
@@ -147,6 +174,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(fewer_samples_are_a_prefix),
+        cmocka_unit_test(kept_samples_are_a_beginning),
         cmocka_unit_test(seeds_are_different),
         cmocka_unit_test(a_stopped_run_is_a_prefix),
         cmocka_unit_test(a_run_stopped_at_its_end_is_complete),

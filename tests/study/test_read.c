@@ -40,6 +40,7 @@ static void defaults_of_numbers(void **state)
     const pdmc_problem *p = &study.problem;
     assert_true(p->sampling.seed == 1);
     assert_int_equal(p->sampling.samples, 1000);
+    assert_int_equal(p->sampling.keep, 20000);
     assert_int_equal(p->sampling.order, 4);
     assert_int_equal(p->solver.polynomial_degree, 3);
     assert_int_equal(p->solver.crack_orders, 6);
