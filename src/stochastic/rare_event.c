@@ -10,6 +10,9 @@
 // Sampling at the design point and around the origin: what a single point misses is then seen, if only dimly.
 enum { CENTRES = 2 };
 
+// Points between two looks at the variation, where each is a plate of its own.
+enum { DEAR_BATCH = 4 * PDMC_BLOCK };
+
 static const char *quantity_name(pdmc_quantity quantity)
 {
     static const char *const names[PDMC_QUANTITIES] = {
@@ -85,6 +88,7 @@ static pdmc_status sample_at_point(const pdmc_variables *variables, const pdmc_l
     options.confidence = confidence;
     options.variation = request->variation;
     options.most_evaluations = request->evaluations;
+    if (variables->model->family) options.batch = DEAR_BATCH;
     if (options.batch > request->evaluations) options.batch = request->evaluations;
     PDMC_TRY(pdmc_importance_sampling(limit, CENTRES, centre, &options, &found));
     add_record(r, "importance sampling", &found);
