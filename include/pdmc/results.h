@@ -16,7 +16,7 @@ typedef enum {
     PDMC_SAMPLE_OK = 0,
     PDMC_SAMPLE_DIVERGED = 1, // the Neumann expansion of this sample does not contract
     PDMC_SAMPLE_SINGULAR = 2, // the sample's own system is rank deficient
-    PDMC_SAMPLE_SOFT = 3,     // the sample's effective modulus is not positive
+    PDMC_SAMPLE_SOFT = 3,     // the sample's effective modulus, or its thickness, is not positive
     PDMC_SAMPLE_GEOMETRY = 4, // the sample's cracks leave the plate, come too near, or cannot be discretised
 } pdmc_sample_failure;
 

@@ -142,7 +142,7 @@ const pdmc_dataset pdmc_datasets[] = {
           "0 as asked, 1 by conjugate gradients, 2 what the expansion stands for, 3 by its own factorisation",
           PDMC_DIM_SAMPLE),
     ARRAY("/samples/failure", BYTE, uint8_t, failure, NONE,
-          "0 none, 1 the expansion does not contract, 2 singular system, 3 effective modulus not positive, 4 cracks that "
+          "0 none, 1 the expansion does not contract, 2 singular system, 3 modulus or thickness not positive, 4 cracks that "
           "leave the plate, come too near, or cannot be discretised",
           PDMC_DIM_SAMPLE),
     REALS("/samples/stress_intensity", stress_intensity, STRESS_INTENSITY, "K_I and K_II", PDMC_DIM_SAMPLE,

@@ -82,9 +82,10 @@ void pdmc_block_destroy(pdmc_block **block)
     *block = NULL;
 }
 
-static bool is_stiff(const pdmc_block *block, const pdmc_draw *draw)
+static bool is_plate(const pdmc_block *block, const pdmc_draw *draw)
 {
-    bool is_positive = draw->effective_modulus > 0.0;
+    const double thickness = draw->value[PDMC_QUANTITY_THICKNESS - PDMC_FIRST_SCALAR];
+    bool is_positive = draw->effective_modulus > 0.0 && thickness > 0.0;
     for (int t = 0; t < block->model->tips; t++) is_positive = is_positive && draw->tip_modulus[t] > 0.0;
     return is_positive;
 }
@@ -97,7 +98,7 @@ pdmc_status pdmc_block_draw_points(pdmc_block *block, const double z[], int coun
     for (int s = 0; s < B && status == PDMC_OK; s++) {
         if (s >= count) pdmc_draw_mean(block->problem, block->variables->model, &block->drawn.draw[s]);
         if (s >= count) block->sample[s] = -1;
-        block->failure[s] = is_stiff(block, &block->drawn.draw[s]) ? PDMC_SAMPLE_OK : PDMC_SAMPLE_SOFT;
+        block->failure[s] = is_plate(block, &block->drawn.draw[s]) ? PDMC_SAMPLE_OK : PDMC_SAMPLE_SOFT;
         block->solver[s] = PDMC_SOLVED_AS_ASKED;
         block->contraction[s] = block->residual[s] = block->error[s] = NAN;
     }

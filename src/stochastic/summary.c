@@ -134,19 +134,40 @@ static pdmc_estimate find_probability(const pdmc_results *results, const bool ev
                            pdmc_statistics_proportion(hits + failed, samples, confidence).upper};
 }
 
-// x: scratch, [samples]
-static pdmc_estimate find_conditional(const pdmc_results *results, int tip, double x[])
+// Samples that failed have `otherwise`, or are left out where that is NaN.
+static size_t gather_given_rest(const pdmc_results *results, int tip, double otherwise, double x[])
 {
-    pdmc_estimate mean, deviation;
     size_t count = 0;
     for (int s = 0; s < results->sample_count; s++) {
-        const double given = results->growth_given_rest[s * results->tip_count + tip];
-        if (results->failure[s] == PDMC_SAMPLE_OK) x[count++] = given;
-        if (results->failure[s] == PDMC_SAMPLE_OK && isnan(given)) return (pdmc_estimate){NAN, NAN, NAN};
+        const bool is_solved = results->failure[s] == PDMC_SAMPLE_OK;
+        if (is_solved || !isnan(otherwise))
+            x[count++] = is_solved ? results->growth_given_rest[s * results->tip_count + tip] : otherwise;
     }
+    return count;
+}
+
+static pdmc_estimate find_mean_probability(const pdmc_results *results, size_t count, const double x[])
+{
+    pdmc_estimate mean, deviation;
     if (replicates_of(results) == 0) return pdmc_statistics_bounded_mean(count, x, results->confidence);
     find_moments(results, count, x, &mean, &deviation);
     return (pdmc_estimate){mean.value, fmax(mean.lower, 0.0), fmin(mean.upper, 1.0)};
+}
+
+// The mean over the samples that did not fail, with bounds for which a failed sample may have been either.
+// x: scratch, [samples]
+static pdmc_estimate find_conditional(const pdmc_results *results, int tip, double x[])
+{
+    const size_t count = gather_given_rest(results, tip, NAN, x), samples = (size_t)results->sample_count;
+    for (size_t k = 0; k < count; k++)
+        if (isnan(x[k])) return (pdmc_estimate){NAN, NAN, NAN};
+    pdmc_estimate found = find_mean_probability(results, count, x);
+    if (count == samples) return found;
+    gather_given_rest(results, tip, 0.0, x);
+    found.lower = find_mean_probability(results, samples, x).lower;
+    gather_given_rest(results, tip, 1.0, x);
+    found.upper = find_mean_probability(results, samples, x).upper;
+    return found;
 }
 
 static void summarise_tip(const pdmc_sample_counts *counts, pdmc_results *results, int tip, double share[],

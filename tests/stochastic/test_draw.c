@@ -169,6 +169,24 @@ static void energies_take_every_scalar_of_the_sample(void **state)
     pdmc_results_clear(&r);
 }
 
+// A plate of no thickness has no answer.
+static void a_thickness_that_is_not_positive_is_marked(void **state)
+{
+    (void)state;
+    toy t;
+    pdmc_results r;
+    toy_make(&t, 0.0, 0.0);
+    t.uncertainties[1] = toy_scalar(PDMC_QUANTITY_THICKNESS, PDMC_NORMAL, 1.0, 1.0);
+    t.problem.sampling.samples = 200;
+    CHECK_OK(toy_run(&t, &one_thread, &r));
+    for (int s = 0; s < r.sample_count; s++) { // the load factor is 1 / thickness
+        assert_int_equal(r.failure[s], r.load_factor[s] > 0.0 ? PDMC_SAMPLE_OK : PDMC_SAMPLE_SOFT);
+        assert_int_equal(isnan(r.stress_intensity[2 * s]), r.load_factor[s] < 0.0);
+    }
+    assert_true(r.failed_count > 12 && r.failed_count < 52); // Phi(-1) 200 = 31.7, four deviations of 5.2 either way
+    pdmc_results_clear(&r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -176,6 +194,7 @@ int main(void)
         cmocka_unit_test(thickness_and_modulus_act_on_the_load),
         cmocka_unit_test(a_stiffness_in_space_acts_where_it_is),
         cmocka_unit_test(a_modulus_that_is_not_positive_is_left_alone),
+        cmocka_unit_test(a_thickness_that_is_not_positive_is_marked),
         cmocka_unit_test(energies_take_every_scalar_of_the_sample),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

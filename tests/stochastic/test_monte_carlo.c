@@ -98,6 +98,31 @@ static void a_bad_sample_is_counted_not_fatal(void **state)
     pdmc_results_clear(&r);
 }
 
+// As in the count, a sample without an answer may have been either in the bounds of the probability with the load integrated.
+static void a_bad_sample_widens_the_integrated_load(void **state)
+{
+    (void)state;
+    enum { SAMPLES = 1000 };
+    toy t;
+    pdmc_results r;
+    double x[3][SAMPLES];
+    size_t solved = 0;
+    toy_make(&t, 0.5, 0.1);
+    t.problem.sampling.inverse = PDMC_INVERSE_DIRECT;
+    CHECK_OK(toy_run(&t, &one_thread, &r));
+    for (int s = 0; s < SAMPLES; s++) {
+        const bool failed = r.failure[s] != PDMC_SAMPLE_OK;
+        if (!failed) x[0][solved++] = r.growth_given_rest[s];
+        x[1][s] = failed ? 0.0 : r.growth_given_rest[s];
+        x[2][s] = failed ? 1.0 : r.growth_given_rest[s];
+    }
+    assert_true(solved < SAMPLES);
+    CHECK_NEAR(r.conditional_probability[0].value, pdmc_statistics_bounded_mean(solved, x[0], 0.95).value, 0.0);
+    CHECK_NEAR(r.conditional_probability[0].lower, pdmc_statistics_bounded_mean(SAMPLES, x[1], 0.95).lower, 0.0);
+    CHECK_NEAR(r.conditional_probability[0].upper, pdmc_statistics_bounded_mean(SAMPLES, x[2], 0.95).upper, 0.0);
+    pdmc_results_clear(&r);
+}
+
 static void check_same_samples(const pdmc_results *a, const pdmc_results *b, int count)
 {
     const size_t n = (size_t)count * sizeof(double);
@@ -253,6 +278,7 @@ int main(void)
         cmocka_unit_test(the_expansion_alternates),
         cmocka_unit_test(direct_solves_need_no_expansion),
         cmocka_unit_test(a_bad_sample_is_counted_not_fatal),
+        cmocka_unit_test(a_bad_sample_widens_the_integrated_load),
         cmocka_unit_test(a_sample_that_does_not_contract_falls_back),
         cmocka_unit_test(samples_do_not_depend_on_threads_or_number),
         cmocka_unit_test(an_early_stop_keeps_what_is_done),
