@@ -113,7 +113,7 @@ void pdmc_variables_sample(const pdmc_variables *variables, uint64_t sample, dou
     const bool is_designed = variables->design && sample < (uint64_t)variables->problem->sampling.samples;
     if (is_designed) pdmc_design_point(variables->design, sample, z);
     else sample_streams(variables, sample, z);
-    for (int k = 0; k < variables->count; k++) z[k] = pdmc_normal_quantile(z[k]);
+    pdmc_normal_quantiles((size_t)variables->count, z);
 }
 
 static void draw_scalars(const pdmc_variables *v, const double z[], pdmc_draw *draw)
