@@ -7,6 +7,8 @@
 
 #include "pdmc/random.h"
 
+#include <float.h>
+
 static void check(size_t count, const double u[])
 {
     double z[300];
