@@ -4,11 +4,13 @@
 #include "base/base_impl.h"
 #include "discretisation/field.h"
 #include "kansa/kansa_impl.h"
+#include "kansa/stiffness_release.h"
 
 /// A plate, and where its stiffness varies in space the weak form and the field, of which samples are made.
 typedef struct {
     pdmc_kansa *kansa;
-    pdmc_kansa_form *form; // NULL where the stiffness is the same everywhere
+    pdmc_kansa_form *form;          // NULL where the stiffness is the same everywhere
+    pdmc_field_functional *release; // [tips] what ln G of each tip depends on
     pdmc_field *field;
 } kansa_method;
 
@@ -58,8 +60,11 @@ done:
 static pdmc_status affine(const void *method, pdmc_affine *model)
 {
     const kansa_method *plate = method;
-    return plate->form ? pdmc_kansa_field_affine(plate->form, plate->field, model)
-                       : pdmc_kansa_affine(plate->kansa, model);
+    if (!plate->form) return pdmc_kansa_affine(plate->kansa, model);
+    pdmc_status status = pdmc_kansa_field_affine(plate->form, plate->field, model);
+    if (status == PDMC_OK) status = pdmc_kansa_correct_tips(plate->form, plate->field, plate->release, model);
+    if (status != PDMC_OK) pdmc_affine_clear(model);
+    return status;
 }
 
 static pdmc_status motion(const void *method, double inertia, pdmc_motion_model *model)
@@ -76,6 +81,11 @@ static void destroy(void *method)
 {
     kansa_method *plate = method;
     if (!plate) return;
+    for (int t = 0; plate->release && t < plate->kansa->problem->energy.tip_count; t++) {
+        pdmc_free((double *)plate->release[t].x);
+        pdmc_free((double *)plate->release[t].weight);
+    }
+    pdmc_free(plate->release);
     pdmc_field_destroy(&plate->field);
     pdmc_kansa_form_destroy(&plate->form);
     pdmc_kansa_destroy(&plate->kansa);
@@ -93,8 +103,11 @@ static pdmc_status make_stiffness(const pdmc_problem *problem, int threads, kans
                                         .variation = stiffness->variation,
                                         .modes = stiffness->modes};
     PDMC_TRY(pdmc_kansa_form_create(plate->kansa, &plate->form));
+    PDMC_NEW(plate->release, problem->energy.tip_count);
+    for (int t = 0; t < problem->energy.tip_count; t++)
+        PDMC_TRY(pdmc_kansa_release_sensitivity(plate->kansa, t, &plate->release[t]));
     PDMC_TRY(pdmc_field_create(&request, problem->plate.width, problem->plate.height, problem->energy.tip_count,
-                               pdmc_kansa_field_sensitivity(plate->form), threads, &plate->field));
+                               plate->release, threads, &plate->field));
 done:
     return status;
 }

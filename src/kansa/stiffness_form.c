@@ -53,7 +53,7 @@ done:
 }
 
 // The collocation's own rows of the rigid motions that nothing holds, which are those of Q after the boundary's.
-static pdmc_status add_gauge(const pdmc_kansa *kansa, double stiffness[])
+pdmc_status pdmc_kansa_form_add_gauge(const pdmc_kansa *kansa, double stiffness[])
 {
     int motions;
     double motion[3][3];
@@ -109,7 +109,7 @@ static pdmc_status assemble(pdmc_kansa_form *form)
     PDMC_TRY(pdmc_weak_rule(form->kansa, &rule));
     PDMC_TRY(integrate_plate(form, &rule, weak.stiffness));
     PDMC_TRY(pdmc_weak_form_add_sides(form->kansa, &weak));
-    PDMC_TRY(add_gauge(form->kansa, weak.stiffness));
+    PDMC_TRY(pdmc_kansa_form_add_gauge(form->kansa, weak.stiffness));
     form->root = weak.stiffness;
     form->load[0] = weak.fixed;
     form->load[1] = weak.load;

@@ -27,5 +27,8 @@ void pdmc_kansa_form_transform(const pdmc_kansa_form *form, int count, double ro
 void pdmc_kansa_form_strains(const pdmc_kansa_form *form, int first, int points, int count, const double v[],
                              double e[]);
 
+/// Adds to the lower triangle of a stiffness the mean of each rigid motion that nothing holds.
+PDMC_NODISCARD pdmc_status pdmc_kansa_form_add_gauge(const pdmc_kansa *kansa, double stiffness[]);
+
 /// What d ln G of each of the problem's tips is of d ln M.
 PDMC_NODISCARD pdmc_status pdmc_kansa_form_find_sensitivity(pdmc_kansa_form *form);
