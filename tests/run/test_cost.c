@@ -59,12 +59,37 @@ static void more_costs_more(void **state)
     pdmc_study_clear(&study);
 }
 
+static void a_plate_for_every_sample(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    pdmc_results results;
+    const pdmc_run_options options = {.threads = 1};
+    read_study(ONE_CRACK, "{ quantity = \"crack_length\"; variation = 0.1; }", "samples = 16;", &study);
+    const pdmc_cost base = pdmc_run_cost(&study.problem, 1), shared = pdmc_run_cost(&study.problem, 2);
+    CHECK_OK(pdmc_run(&study, &options, &results));
+    const double times = results.runtime.total / base.seconds; // as above
+    if (!(0.2 < times && times < 50.0)) fail_msg("took %g times the estimate", times);
+    assert_true(shared.bytes > base.bytes);
+    study.problem.sampling.samples *= 100;
+    const pdmc_cost longer = pdmc_run_cost(&study.problem, 1);
+    assert_true(50.0 * base.seconds < longer.seconds && longer.seconds < 100.0 * base.seconds);
+    study.problem.solver.method = PDMC_METHOD_BOND;
+    study.problem.solver.horizon = 3.0 * (study.problem.solver.spacing = 0.1);
+    const pdmc_cost moved = pdmc_run_cost(&study.problem, 1);
+    study.problem.uncertainty_count = 0;
+    assert_true(50.0 * pdmc_run_cost(&study.problem, 1).seconds < moved.seconds);
+    pdmc_results_clear(&results);
+    pdmc_study_clear(&study);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(counts),
         cmocka_unit_test(seconds_and_bytes),
         cmocka_unit_test(more_costs_more),
+        cmocka_unit_test(a_plate_for_every_sample),
     };
     return cmocka_run_group_tests(tests, enter_folder, leave_folder);
 }
