@@ -89,6 +89,37 @@ static double sample_rate(pdmc_study *study, pdmc_inverse inverse, int samples, 
     return samples / sampling;
 }
 
+// Flops of a sample in the projected model: the terms of the expansion, and the energies of all directions as quadratic forms
+// of every pair of unknowns.
+static double projected_flops(const pdmc_problem *problem)
+{
+    pdmc_discretisation plate;
+    pdmc_affine model = {0};
+    if (pdmc_discretise(problem, 1, &plate) != PDMC_OK || plate.verbs->affine(plate.method, &model) != PDMC_OK)
+        give_up();
+    const double n = model.unknowns, directions = model.tips * model.angles;
+    const double flops = 2.0 * problem->sampling.order * model.terms * n * n + directions * model.rings * n * (n + 1.0);
+    pdmc_affine_clear(&model);
+    pdmc_discretisation_clear(&plate);
+    return flops;
+}
+
+// The whole study with very many samples, of which the file would have the first; against the product's rate on all threads.
+static void many_samples(pdmc_study *study, int samples, int threads, double rate)
+{
+    const pdmc_run_options options = {.threads = threads};
+    pdmc_results results;
+    study->problem.sampling.inverse = PDMC_INVERSE_NEUMANN;
+    study->problem.sampling.samples = samples;
+    const double limit = projected_flops(&study->problem) * samples / (threads * rate);
+    if (pdmc_run(study, &options, &results) != PDMC_OK) give_up();
+    const double seconds = results.runtime.total;
+    printf(
+        "%d samples, %d thread%s %8.2f s for the whole study, %.0f samples/s, %.0f %% of the projected model's limit\n",
+        samples, threads, threads > 1 ? "s" : " ", seconds, samples / seconds, 100.0 * limit / seconds);
+    pdmc_results_clear(&results);
+}
+
 int main(int argc, char *argv[])
 {
     pdmc_study study;
@@ -116,6 +147,7 @@ int main(int argc, char *argv[])
            100.0 * direct * (2.0 * m * n * n - 2.0 / 3.0 * n * n * n) / rate);
     printf("Neumann over direct       %8.0f times, %.0f with energies\n", expanded / direct,
            with_energies / direct_with_energies);
+    for (int threads = 1; threads <= 2; threads++) many_samples(&study, 1000000, threads, rate);
     pdmc_study_clear(&study);
     return 0;
 }
