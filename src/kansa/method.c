@@ -62,7 +62,8 @@ static pdmc_status affine(const void *method, pdmc_affine *model)
     const kansa_method *plate = method;
     if (!plate->form) return pdmc_kansa_affine(plate->kansa, model);
     pdmc_status status = pdmc_kansa_field_affine(plate->form, plate->field, model);
-    if (status == PDMC_OK) status = pdmc_kansa_correct_tips(plate->form, plate->field, plate->release, model);
+    const pdmc_stiffness_terms terms = pdmc_stiffness_terms_of(plate->field);
+    if (status == PDMC_OK) status = pdmc_kansa_correct_tips(plate->form, &terms, plate->release, model);
     if (status != PDMC_OK) pdmc_affine_clear(model);
     return status;
 }

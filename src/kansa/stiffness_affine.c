@@ -78,9 +78,14 @@ static pdmc_status field_at(const void *context, int points, const double x[], d
     return pdmc_field_terms_at(context, points, x, value);
 }
 
+pdmc_stiffness_terms pdmc_stiffness_terms_of(const pdmc_field *field)
+{
+    return (pdmc_stiffness_terms){pdmc_field_terms(field), field, field_at};
+}
+
 pdmc_status pdmc_kansa_field_affine(const pdmc_kansa_form *form, const pdmc_field *field, pdmc_affine *model)
 {
-    const pdmc_stiffness_terms terms = {pdmc_field_terms(field), field, field_at};
+    const pdmc_stiffness_terms terms = pdmc_stiffness_terms_of(field);
     const pdmc_status status = pdmc_kansa_form_affine(form, &terms, model);
     if (status == PDMC_OK) model->field = field;
     return status;

@@ -12,6 +12,9 @@ typedef struct {
     pdmc_status (*at)(const void *context, int points, const double x[], double value[]);
 } pdmc_stiffness_terms;
 
+/// The terms of a random field, which must outlive them.
+pdmc_stiffness_terms pdmc_stiffness_terms_of(const pdmc_field *field);
+
 /// The affine model of a stiffness of any terms; the form must outlive it. The model's field is not set.
 /// @param[out] model  free with pdmc_affine_clear(); zero on failure
 PDMC_NODISCARD pdmc_status pdmc_kansa_form_affine(const pdmc_kansa_form *form, const pdmc_stiffness_terms *terms,

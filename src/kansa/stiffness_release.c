@@ -142,31 +142,31 @@ done:
 }
 
 // sum += factor sum_j weight_j psi_k(x_j)
-static pdmc_status add_functional(const pdmc_field *field, const pdmc_field_functional *functional, double factor,
+static pdmc_status add_functional(const pdmc_stiffness_terms *terms, const pdmc_field_functional *functional, double factor,
                                   double sum[])
 {
     pdmc_status status = PDMC_OK;
-    const int terms = pdmc_field_terms(field);
+    const int count = terms->terms;
     double *value = NULL;
     if (functional->points == 0) return PDMC_OK;
-    PDMC_NEW(value, (size_t)functional->points * (size_t)terms);
-    PDMC_TRY(pdmc_field_terms_at(field, functional->points, functional->x, value));
-    cblas_dgemv(CblasRowMajor, CblasTrans, functional->points, terms, factor, value, terms, functional->weight, 1, 1.0,
+    PDMC_NEW(value, (size_t)functional->points * (size_t)count);
+    PDMC_TRY(terms->at(terms->context, functional->points, functional->x, value));
+    cblas_dgemv(CblasRowMajor, CblasTrans, functional->points, count, factor, value, count, functional->weight, 1, 1.0,
                 sum, 1);
 done:
     pdmc_free(value);
     return status;
 }
 
-pdmc_status pdmc_kansa_correct_tips(const pdmc_kansa_form *form, const pdmc_field *field,
+pdmc_status pdmc_kansa_correct_tips(const pdmc_kansa_form *form, const pdmc_stiffness_terms *terms,
                                     const pdmc_field_functional release[], pdmc_affine *model)
 {
     pdmc_status status = PDMC_OK;
-    const int terms = pdmc_field_terms(field);
+    const int count = terms->terms;
     for (int t = 0; t < model->tips; t++) {
-        double *stiffness = &model->tip_stiffness[t * terms];
-        PDMC_TRY(add_functional(field, &release[t], 1.0, stiffness));
-        if (release[t].points > 0) PDMC_TRY(add_functional(field, &form->sensitivity[t], -1.0, stiffness));
+        double *stiffness = &model->tip_stiffness[t * count];
+        PDMC_TRY(add_functional(terms, &release[t], 1.0, stiffness));
+        if (release[t].points > 0) PDMC_TRY(add_functional(terms, &form->sensitivity[t], -1.0, stiffness));
     }
 done:
     return status;

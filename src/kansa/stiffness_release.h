@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kansa/stiffness_form.h"
+#include "kansa/stiffness_operator.h"
 
 /// The derivative of ln G of a tip to the stiffness M at the mean, from energies of two plates whose tip is a little nearer
 /// and a little farther:
@@ -17,6 +17,6 @@ PDMC_NODISCARD pdmc_status pdmc_kansa_release_sensitivity(const pdmc_kansa *kans
 /// Replaces the stiffness at each tip of a model by the weighted average that a tip feels: the one with which
 /// G = E M_tip (row . x)^2 has these derivatives.
 /// @param[in]     release  [tips] of pdmc_kansa_release_sensitivity()
-/// @param[in,out] model    of pdmc_kansa_field_affine()
-PDMC_NODISCARD pdmc_status pdmc_kansa_correct_tips(const pdmc_kansa_form *form, const pdmc_field *field,
+/// @param[in,out] model    of pdmc_kansa_form_affine() with the same terms
+PDMC_NODISCARD pdmc_status pdmc_kansa_correct_tips(const pdmc_kansa_form *form, const pdmc_stiffness_terms *terms,
                                                    const pdmc_field_functional release[], pdmc_affine *model);
