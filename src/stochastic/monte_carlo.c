@@ -27,6 +27,7 @@ typedef struct {
     pdmc_energy_forms *forms;     // of the model, or NULL
     pdmc_sample_counts **counts;  // [workers], or NULL where all samples are kept
     int blocks, given, done;      // blocks in all, blocks given out, samples done
+    int together;                 // blocks that are given out at once
     double *residual;             // [samples] of the iteration
     double *delta[PDMC_MEASURES]; // [samples] what an energy's root may be off by in the reduced model
     bool stop;
@@ -89,7 +90,7 @@ static bool take_blocks(run *r, int *first, int *end)
 #pragma omp critical(pdmc_report)
     if (!r->stop && r->given < r->blocks) {
         *first = r->given;
-        *end = r->given += r->counts ? PDMC_COUNTED_BLOCKS : 1;
+        *end = r->given += r->together;
         if (*end > r->blocks) *end = r->blocks;
         found = true;
     }
@@ -224,6 +225,13 @@ done:
     return status;
 }
 
+// Where a stop need not wait long for them, as many as a tally likes.
+static int blocks_together(const run *r)
+{
+    const bool is_quick = r->problem->sampling.inverse == PDMC_INVERSE_NEUMANN && !r->model->family;
+    return r->results->kept_count < r->results->sample_count && is_quick ? PDMC_COUNTED_BLOCKS : 1;
+}
+
 // The nominal energies, and what each worker has.
 static pdmc_status employ(run *r)
 {
@@ -263,6 +271,7 @@ static pdmc_status run_all(run *r)
     for (int m = 0; m < PDMC_MEASURES && r->problem->sampling.inverse == PDMC_INVERSE_REDUCED; m++)
         PDMC_NEW(r->delta[m], r->results->sample_count);
     r->blocks = (r->results->sample_count + PDMC_BLOCK - 1) / PDMC_BLOCK;
+    r->together = blocks_together(r);
     PDMC_TRY(employ(r));
 #pragma omp parallel num_threads(r->workers)
     work(r, omp_get_thread_num());
