@@ -188,6 +188,9 @@ static void impossible_results_are_refused(void **state)
     a.failed_count++;
     CHECK_STATUS(pdmc_results_write(&a, path, false), PDMC_ERR_ARG);
     a.failed_count--;
+    a.kept_count = a.sample_count + 1;
+    CHECK_STATUS(pdmc_results_write(&a, path, false), PDMC_ERR_ARG);
+    a.kept_count = a.sample_count;
     a.failure[3] = 200;
     CHECK_STATUS(pdmc_results_write(&a, path, false), PDMC_ERR_ARG);
     a.failure[3] = PDMC_SAMPLE_OK;

@@ -171,6 +171,25 @@ static void the_error_of_g_is_that_of_k(void **state)
     pdmc_results_clear(&a);
 }
 
+// Files that keep some of their samples: pairs are those that both keep.
+static void what_is_kept_is_compared(void **state)
+{
+    (void)state;
+    pdmc_results a = made_up_results(made_up_small), b = made_up_results(made_up_small);
+    a.kept_count = 10;
+    b.kept_count = 20;
+    char *text = shown(&a, &b, &plain);
+    check_says(text, "energies are compared of the first 10 of the 40 samples of first.h5\n");
+    check_says(text, "energies are compared of the first 10 of the 40 samples of second.h5\n");
+    free(text);
+    b.seed++;
+    text = shown(&a, &b, &plain);
+    check_says(text, "energies are compared of the first 20 of the 40 samples of second.h5\n");
+    free(text);
+    pdmc_results_clear(&a);
+    pdmc_results_clear(&b);
+}
+
 static void what_differs_is_said(void **state)
 {
     (void)state;
@@ -316,6 +335,7 @@ int main(void)
         cmocka_unit_test(a_sample_is_found_by_its_number),
         cmocka_unit_test(numbers_of_both_are_side_by_side),
         cmocka_unit_test(the_error_of_g_is_that_of_k),
+        cmocka_unit_test(what_is_kept_is_compared),
         cmocka_unit_test(what_differs_is_said),
         cmocka_unit_test(what_cannot_be_compared_is_refused),
         cmocka_unit_test(odd_results_are_compared),

@@ -64,6 +64,23 @@ static void every_number_has_its_row(void **state)
     scratch_empty(scratch);
 }
 
+static void energies_are_of_the_samples_that_are_kept(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_results(made_up_small);
+    r.kept_count = 7;
+    CHECK_OK(pdmc_view_export(&r, scratch_path("csv")));
+    check_table("samples.csv", "sample,failure,", 40);
+    check_table("energy_samples.csv", "sample,tip,", 7 * 2 * 8);
+    char *samples = exported("samples.csv"), number[40];
+    snprintf(number, sizeof number, ",%.17g\n", r.largest_energy[PDMC_MEASURE_GRIFFITH][2 * 39 + 1]);
+    assert_non_null(strstr(samples, number)); // of the last sample, which is not kept
+    free(samples);
+    pdmc_results_clear(&r);
+    scratch_empty(scratch_path("csv"));
+    scratch_empty(scratch);
+}
+
 static void a_motion_has_a_row_for_each_time(void **state)
 {
     (void)state;
@@ -153,6 +170,7 @@ int main(void)
         cmocka_unit_test(every_number_has_its_row),         cmocka_unit_test(numbers_survive_exactly),
         cmocka_unit_test(commas_and_quotes_are_quoted),     cmocka_unit_test(too_many_energies_are_left_to_the_file),
         cmocka_unit_test(odd_results_are_exported),         cmocka_unit_test(a_bad_folder_is_named),
+        cmocka_unit_test(energies_are_of_the_samples_that_are_kept),
         cmocka_unit_test(a_motion_has_a_row_for_each_time),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);

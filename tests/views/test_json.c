@@ -23,6 +23,7 @@ static void it_has_what_programs_ask(void **state)
     json_t *object = parsed(&results), *tips = json_object_get(object, "tips"), *tip = json_array_get(tips, 0);
     assert_string_equal(json_string_value(json_object_get(object, "title")), results.title);
     assert_int_equal(json_integer_value(json_object_get(object, "samples")), 40);
+    assert_int_equal(json_integer_value(json_object_get(object, "kept")), 40);
     assert_int_equal(json_integer_value(json_object_get(object, "failed")), 2);
     assert_int_equal(json_integer_value(json_object_get(object, "seed")), 20110614);
     assert_string_equal(json_string_value(json_object_get(object, "measure")), "griffith_energy");
