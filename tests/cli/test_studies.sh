@@ -41,7 +41,7 @@ expect 0 '"$pdmc" check -q -t 1 resolved.cfg'
 cmp out resolved.cfg
 run '"$pdmc" check small.cfg'
 expect_line err "$warning"
-sed 's/angles = 8/angles = 3600/' small.cfg >huge.cfg
+sed 's/angles = 8/angles = 3600/; s/samples = 100/samples = 100; keep = 100000000/' small.cfg >huge.cfg
 run '"$pdmc" check -n 100000000 huge.cfg'
 grep -qE '^pdmc: warning: the run needs about [0-9]{8} MB of memory, this machine has [0-9]+ MB$' err ||
     fail "12 TB are no warning: $(cat err)"

@@ -16,7 +16,7 @@ expect 0 '"$pdmc" show small.h5'
 expect_line out 'c.from at (-0.5, 0)'
 expect_line out 'c.to at (0.5, 0)'
 expect 0 '"$pdmc" show --json small.h5'
-expect_line out '"samples":100,"failed":0,'
+expect_line out '"samples":100,"kept":100,"failed":0,'
 
 # The numbers do not depend on the threads; the times and the date do.
 for file in small three; do
