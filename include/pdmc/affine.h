@@ -11,8 +11,8 @@
 
 typedef struct pdmc_affine pdmc_affine;
 
-/// How the models of other plates are made, for samples whose cracks have a place of their own. Each is made on the thread
-/// that asks for it.
+/// How the models of other plates are made, for samples whose cracks have a place of their own. Each is made on the
+/// thread that asks for it.
 typedef struct {
     int threads; // that samples are shared out to, >= 1
     const void *context;

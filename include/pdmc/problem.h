@@ -257,8 +257,8 @@ PDMC_API void pdmc_problem_clear(pdmc_problem *problem);
 /// The entry for a quantity, or NULL where the quantity is certain.
 PDMC_API const pdmc_uncertainty *pdmc_problem_uncertainty(const pdmc_problem *problem, pdmc_quantity quantity);
 
-/// The mean of a scalar quantity where the study does not give it: 1 for the load, the material's, the plate's, the length
-/// of the crack, 0 for its angle and shift.
+/// The mean of a scalar quantity where the study does not give it: 1 for the load, the material's, the plate's, the
+/// length of the crack, 0 for its angle and shift.
 PDMC_API double pdmc_problem_nominal(const pdmc_problem *problem, pdmc_quantity quantity);
 
 /// Whether the place of a crack is random, so that every sample has a plate of its own.

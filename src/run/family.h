@@ -4,6 +4,6 @@
 #include "pdmc/affine.h"
 #include "pdmc/problem.h"
 
-/// The plates of a problem whose cracks have a random place: each sample's is discretised anew, by the problem's method.
+/// The plates of a problem whose cracks have a random place: each is discretised anew, by the problem's method.
 /// @param[in] problem  kept by reference
 pdmc_affine_family pdmc_plate_family(const pdmc_problem *problem, int threads);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/// Cracks whose length, angle and place are random: every sample against the plate that has its crack there, against closed
-/// forms of a small crack, and where it cannot be.
+/// Cracks whose length, angle and place are random: every sample against the plate that has its crack there, against
+/// closed forms of a small crack, and where it cannot be.
 
 #include "run/studies.h"
 
@@ -147,8 +147,8 @@ static void orderings_at_a_time_change_nothing(void **state)
     pdmc_study_clear(&study);
 }
 
-// Isida's table (Murakami, Stress Intensity Factors Handbook, 1987): F = 1.014 at a / W = 0.1 of a square plate, and 1.055
-// at 0.2, which is 1 + 1.38 (a / W)^2 within its digits.
+// Isida's table (Murakami, Stress Intensity Factors Handbook, 1987): F = 1.014 at a / W = 0.1 of a square plate, and
+// 1.055 at 0.2, which is 1 + 1.38 (a / W)^2 within its digits.
 static void longer_cracks_have_larger_intensities(void **state)
 {
     (void)state;
@@ -170,8 +170,8 @@ static void longer_cracks_have_larger_intensities(void **state)
     pdmc_study_clear(&study);
 }
 
-// A small crack under tension: K_I = sqrt(pi a) cos^2, K_II = sqrt(pi a) sin cos of its angle. The tips turn with it: the
-// directions of growth, which are those of the plate, are seen from the crack as it lies.
+// A small crack under tension: K_I = sqrt(pi a) cos^2, K_II = sqrt(pi a) sin cos of its angle. The tips turn with it:
+// the directions of growth, which are those of the plate, are seen from the crack as it lies.
 static void turned_cracks_have_turned_tips(void **state)
 {
     (void)state;
@@ -223,8 +223,8 @@ static void threads_change_nothing(void **state)
     the_bits_are_those_of_one_thread(CRACK, ALL ", " BOTH, "samples = 3; inverse = \"direct\";");
 }
 
-// One that leaves the plate, comes too near to an edge or to the other crack, or is too short: the clearance is a spacing,
-// and the least length four horizons.
+// One that leaves the plate, comes too near to an edge or to the other crack, or is too short: the clearance is a
+// spacing, and the least length four horizons.
 static void a_crack_that_cannot_be_is_counted(void **state)
 {
     (void)state;
@@ -305,7 +305,7 @@ static double critical_length(const pdmc_problem *problem, double lower, double 
     return 0.5 * (lower + upper);
 }
 
-// G grows with the length, so that P(growth) = P(length > critical length), and a plane through the design point is exact.
+// G grows with the length: P(growth) = P(length > critical length), and a plane through the design point is exact.
 static void growth_of_a_random_length(void **state)
 {
     (void)state;
