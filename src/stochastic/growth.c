@@ -17,8 +17,8 @@ pdmc_status pdmc_growth_create(const pdmc_variables *variables, const pdmc_affin
                                const pdmc_run_options *options, pdmc_results *results, pdmc_growth *growth)
 {
     pdmc_status status = PDMC_OK;
-    *growth =
-        (pdmc_growth){.variables = variables, .model = model, .full = full, .options = options, .results = results};
+    *growth = (pdmc_growth){
+        .variables = variables, .model = model, .full = full, .options = options, .results = results, .tip = -1};
     PDMC_NEW(growth->block, options->threads);
     PDMC_NEW(growth->full_block, options->threads);
     for (int t = 0; t < options->threads; t++) {
@@ -45,12 +45,13 @@ void pdmc_growth_clear(pdmc_growth *growth)
     *growth = (pdmc_growth){0};
 }
 
-double pdmc_growth_of(const pdmc_block *block, int s, const pdmc_results *results)
+static double growth_of(const pdmc_growth *growth, const pdmc_block *block, int s)
 {
     const double toughness = pdmc_draw_fracture_energy(&block->drawn.draw[s]);
     double largest = 0.0;
     if (block->failure[s] != PDMC_SAMPLE_OK) return NAN;
-    for (int t = 0; t < results->tip_count; t++) largest = fmax(largest, pdmc_block_largest_energy(block, s, t));
+    for (int t = 0; t < growth->results->tip_count; t++)
+        if (growth->tip < 0 || growth->tip == t) largest = fmax(largest, pdmc_block_largest_energy(block, s, t));
     if (toughness <= 0.0) return certain;
     if (largest <= 0.0) return -certain;
     return fmax(-certain, fmin(certain, log(largest / toughness)));
@@ -59,10 +60,9 @@ double pdmc_growth_of(const pdmc_block *block, int s, const pdmc_results *result
 // The event hangs on the sign of g alone: within its bound, (1 +- delta / sqrt(G))^2, a reduced answer does not tell it.
 static bool is_in_doubt(const pdmc_growth *growth, const pdmc_block *block, int s, double g)
 {
-    if (isnan(block->error[s]) || isnan(g)) return false;
+    if (isnan(block->bound.error[s]) || isnan(g)) return false;
     const pdmc_measure measure = block->problem->energy.measure;
-    const double delta = pdmc_certify_root_energy(block->problem, block->model, growth->results, &block->drawn.draw[s],
-                                                  measure, block->error[s]);
+    const double delta = pdmc_certify_root_energy(block, s, growth->results, measure);
     const double toughness = pdmc_draw_fracture_energy(&block->drawn.draw[s]);
     return fabs(exp(0.5 * g) - 1.0) * sqrt(fmax(toughness, 0.0)) <= delta;
 }
@@ -81,7 +81,7 @@ static pdmc_status solve_block(pdmc_growth *growth, pdmc_block *block, int count
     if (status != PDMC_OK) return status;
     measure(growth, block);
     for (int s = 0; s < count; s++) {
-        g[s] = pdmc_growth_of(block, s, growth->results);
+        g[s] = growth_of(growth, block, s);
         doubt[s] = is_in_doubt(growth, block, s, g[s]);
     }
     return PDMC_OK;
@@ -104,7 +104,7 @@ static pdmc_status solve_in_full(pdmc_growth *growth, pdmc_block *block, int cou
     PDMC_TRY(pdmc_block_draw_points(block, point, found));
     PDMC_TRY(pdmc_block_solve_by(block, PDMC_INVERSE_KRYLOV, found));
     measure(growth, block);
-    for (int k = 0; k < found; k++) g[place[k]] = pdmc_growth_of(block, k, growth->results);
+    for (int k = 0; k < found; k++) g[place[k]] = growth_of(growth, block, k);
 #pragma omp atomic
     growth->solved_in_full += found;
 done:

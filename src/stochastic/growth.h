@@ -6,7 +6,7 @@
 #include "stochastic/block.h"
 
 /// Growth of the crack as a limit state of the normal variables behind a study:
-///     g = log of G / G_c, the largest of all tips and directions,
+///     g = log of G / G_c, the largest of all tips, or of one, and of all directions,
 /// by the problem's measure and inverse. A logarithm, since a product of powers of lognormal variables is then linear in z.
 typedef struct {
     const pdmc_variables *variables;
@@ -17,6 +17,7 @@ typedef struct {
     pdmc_block **block;              // [threads]
     pdmc_block **full_block;         // [threads] or NULL
     pdmc_energy_forms *forms;        // of the model, or NULL
+    int tip;                         // whose growth it is, or -1 for that of any
     long solved_in_full;
 } pdmc_growth;
 
@@ -29,6 +30,3 @@ void pdmc_growth_clear(pdmc_growth *growth);
 /// The limit state; points whose reduced answer cannot be told from G_c are solved in full. PDMC_ERR_INTERRUPTED where
 /// progress asks for a stop.
 pdmc_limit_state pdmc_growth_limit(pdmc_growth *growth);
-
-/// log of G / G_c of a solved sample of a block, by the stress intensities or the energies that the block holds.
-double pdmc_growth_of(const pdmc_block *block, int s, const pdmc_results *results);

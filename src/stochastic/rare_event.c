@@ -7,9 +7,6 @@
 #include <math.h>
 #include <stdio.h>
 
-// Sampling at the design point and around the origin: what a single point misses is then seen, if only dimly.
-enum { CENTRES = 2 };
-
 // Points between two looks at the variation, where each is a plate of its own.
 enum { DEAR_BATCH = 4 * PDMC_BLOCK };
 
@@ -67,33 +64,57 @@ static void store_point(const pdmc_variables *variables, const pdmc_first_order 
     for (int k = 0; k < point->dimension; k++) r->design_point[k] = point->z[k];
     r->first_order_index = point->index;
     r->first_order_probability = point->probability;
-    r->first_order_evaluations = (double)point->evaluations;
 }
 
-static pdmc_status sample_at_point(const pdmc_variables *variables, const pdmc_limit_state *limit, double confidence,
-                                   pdmc_reliability_results *r)
+// The design point of every tip: growth of any is a union of events, whose limit has no gradient where two tips are as near
+// to growing. The nearest is the one that is told.
+// centre: [tips, variables] those that were found
+static pdmc_status find_points(pdmc_growth *growth, pdmc_reliability_results *r, int *count, double centre[])
 {
     pdmc_status status = PDMC_OK;
-    const pdmc_reliability_request *request = &variables->problem->reliability;
-    const pdmc_first_order_options search = pdmc_first_order_options_default();
-    pdmc_importance_options options = pdmc_importance_options_default();
+    const int variables = growth->variables->count;
+    const pdmc_limit_state limit = pdmc_growth_limit(growth);
+    const pdmc_first_order_options options = pdmc_first_order_options_default();
     pdmc_first_order point = {0};
+    double evaluations = 0.0;
+    *count = 0;
+    for (growth->tip = 0; growth->tip < growth->results->tip_count; growth->tip++) {
+        PDMC_TRY(pdmc_first_order_find(&limit, &options, &point));
+        evaluations += (double)point.evaluations;
+        if (point.converged && !(r->first_order_index <= point.index)) store_point(growth->variables, &point, r);
+        for (int k = 0; k < variables && point.converged; k++) centre[*count * variables + k] = point.z[k];
+        *count += point.converged;
+        pdmc_first_order_clear(&point);
+    }
+    r->first_order_evaluations = evaluations;
+done:
+    growth->tip = -1;
+    pdmc_first_order_clear(&point);
+    return status;
+}
+
+// Sampling at the design points and around the origin: what the points miss is then seen, if only dimly.
+static pdmc_status sample_at_points(pdmc_growth *growth, double confidence, pdmc_reliability_results *r)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_variables *variables = growth->variables;
+    const pdmc_reliability_request *request = &variables->problem->reliability;
+    const pdmc_limit_state limit = pdmc_growth_limit(growth);
+    pdmc_importance_options options = pdmc_importance_options_default();
     pdmc_reliability found;
     double *centre = NULL;
-    PDMC_NEW(centre, CENTRES * variables->count);
-    PDMC_TRY(pdmc_first_order_find(limit, &search, &point));
-    store_point(variables, &point, r);
-    for (int k = 0; k < variables->count; k++) centre[k] = point.z[k];
+    int points;
+    PDMC_NEW(centre, (growth->results->tip_count + 1) * variables->count);
+    PDMC_TRY(find_points(growth, r, &points, centre));
     options.seed = variables->problem->sampling.seed;
     options.confidence = confidence;
     options.variation = request->variation;
     options.most_evaluations = request->evaluations;
     if (variables->model->family) options.batch = DEAR_BATCH;
     if (options.batch > request->evaluations) options.batch = request->evaluations;
-    PDMC_TRY(pdmc_importance_sampling(limit, CENTRES, centre, &options, &found));
+    PDMC_TRY(pdmc_importance_sampling(&limit, points + 1, centre, &options, &found));
     add_record(r, "importance sampling", &found);
 done:
-    pdmc_first_order_clear(&point);
     pdmc_free(centre);
     return status;
 }
@@ -142,16 +163,17 @@ done:
     return status;
 }
 
-static pdmc_status find_all(const pdmc_variables *variables, const pdmc_limit_state *limit, double confidence,
-                            pdmc_reliability_results *r)
+static pdmc_status find_all(pdmc_growth *growth, double confidence, pdmc_reliability_results *r)
 {
     pdmc_status status = PDMC_OK;
+    const pdmc_variables *variables = growth->variables;
+    const pdmc_limit_state limit = pdmc_growth_limit(growth);
     const pdmc_reliability_request *request = &variables->problem->reliability;
     if (request->method == PDMC_RARE_IMPORTANCE || request->method == PDMC_RARE_BOTH)
-        PDMC_TRY(sample_at_point(variables, limit, confidence, r));
+        PDMC_TRY(sample_at_points(growth, confidence, r));
     if (request->method == PDMC_RARE_SUBSET || request->method == PDMC_RARE_BOTH)
-        PDMC_TRY(sample_by_subsets(variables, limit, confidence, r));
-    if (request->sensitivity > 0) PDMC_TRY(find_sensitivity(variables, limit, confidence, r));
+        PDMC_TRY(sample_by_subsets(variables, &limit, confidence, r));
+    if (request->sensitivity > 0) PDMC_TRY(find_sensitivity(variables, &limit, confidence, r));
 done:
     return status;
 }
@@ -172,8 +194,7 @@ pdmc_status pdmc_rare_event(const pdmc_variables *variables, const pdmc_affine *
     PDMC_NEW(r->design_point, variables->count);
     r->variable_count = variables->count;
     PDMC_TRY(pdmc_growth_create(variables, model, full, options, results, &growth));
-    const pdmc_limit_state limit = pdmc_growth_limit(&growth);
-    status = find_all(variables, &limit, results->confidence, r);
+    status = find_all(&growth, results->confidence, r);
     if (status == PDMC_ERR_INTERRUPTED) {
         results->status = PDMC_RUN_INTERRUPTED;
         status = PDMC_OK;
