@@ -7,7 +7,6 @@
 #include "stochastic/forms.h"
 #include "stochastic/krylov.h"
 #include "stochastic/own_plate.h"
-#include "stochastic/reduced.h"
 
 #include <cblas.h>
 #include <math.h>
@@ -36,6 +35,7 @@ static pdmc_status allocate(pdmc_block *block)
     PDMC_NEW(block->ring_sum, B * (size_t)model->rings);
     PDMC_NEW(block->observed, B * (size_t)model->observed);
     PDMC_NEW(block->intensity, B * 2 * (size_t)model->tips);
+    PDMC_NEW(block->bound.intensity, B * 2 * (size_t)model->tips);
     PDMC_NEW(block->energy, PDMC_MEASURES * B * (size_t)(model->tips * model->angles));
     block->griffith = &block->energy[B * (size_t)(model->tips * model->angles)];
 done:
@@ -76,6 +76,7 @@ void pdmc_block_destroy(pdmc_block **block)
     pdmc_free(old->ring_sum);
     pdmc_free(old->observed);
     pdmc_free(old->intensity);
+    pdmc_free(old->bound.intensity);
     pdmc_free(old->energy);
     pdmc_free(old->feature);
     pdmc_free(old);
@@ -100,7 +101,7 @@ pdmc_status pdmc_block_draw_points(pdmc_block *block, const double z[], int coun
         if (s >= count) block->sample[s] = -1;
         block->failure[s] = is_plate(block, &block->drawn.draw[s]) ? PDMC_SAMPLE_OK : PDMC_SAMPLE_SOFT;
         block->solver[s] = PDMC_SOLVED_AS_ASKED;
-        block->contraction[s] = block->residual[s] = block->error[s] = NAN;
+        block->contraction[s] = block->residual[s] = block->bound.error[s] = NAN;
     }
     return status;
 }
@@ -205,12 +206,13 @@ static pdmc_status iterate(pdmc_block *block)
 // The answer to the mean load, times the load.
 static pdmc_status reduce(pdmc_block *block)
 {
-    const int n = block->model->unknowns;
-    const pdmc_status status = pdmc_reduced_solve(block->model, block->drawn.xi, block->x, block->error);
+    const int n = block->model->unknowns, rows = 2 * block->model->tips;
+    const pdmc_status status = pdmc_reduced_solve(block->model, block->drawn.xi, block->x, &block->bound);
     for (int s = 0; s < B && status == PDMC_OK; s++) {
         const double load = block->drawn.draw[s].load_share;
         cblas_dscal(n, load, &block->x[s * n], 1);
-        block->error[s] *= fabs(load);
+        block->bound.error[s] *= fabs(load);
+        for (int k = 0; k < rows; k++) block->bound.intensity[s * rows + k] *= fabs(load);
     }
     return status;
 }

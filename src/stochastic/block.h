@@ -3,6 +3,7 @@
 
 #include "pdmc/results.h"
 #include "stochastic/forms.h"
+#include "stochastic/reduced.h"
 #include "stochastic/variables.h"
 
 /// A block of samples on its way from random numbers to energies; one for each thread. Arrays are [PDMC_BLOCK, ...].
@@ -15,7 +16,7 @@ typedef struct {
     double *x, *term, *next;        // [unknowns] solution, last and next term of the expansion
     double contraction[PDMC_BLOCK]; // of the expansion
     double residual[PDMC_BLOCK];    // of the iteration
-    double error[PDMC_BLOCK];       // of the reduced model, bound of sqrt(e' K(xi) e); all NaN with another inverse
+    pdmc_reduced_bound bound;       // of the reduced model; its errors are all NaN with another inverse
     pdmc_sample_failure failure[PDMC_BLOCK];
     pdmc_sample_solver solver[PDMC_BLOCK];
     double *stretch;   // [bonds, PDMC_BLOCK]

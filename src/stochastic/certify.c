@@ -25,14 +25,6 @@ static double largest_kink_norm(const pdmc_results *results, int tip)
     return largest;
 }
 
-// |e| in the energy of the mean operator, of which that of the sample is at least the smallest share of a term.
-static double error_at_mean(const pdmc_affine *reduced, const pdmc_draw *draw, double error)
-{
-    double least = 0.0;
-    for (int m = 0; m < reduced->terms; m++) least = fmin(least, draw->xi[m]);
-    return error / sqrt(1.0 + least);
-}
-
 static double largest_stiffness(const pdmc_results *results, const pdmc_draw *draw)
 {
     double largest = 0.0;
@@ -41,19 +33,73 @@ static double largest_stiffness(const pdmc_results *results, const pdmc_draw *dr
     return largest;
 }
 
-double pdmc_certify_root_energy(const pdmc_problem *problem, const pdmc_affine *reduced, const pdmc_results *results,
-                                const pdmc_draw *draw, pdmc_measure measure, double error)
+// The largest c(r) of the rings of the energy over the mean.
+static double largest_ring(const pdmc_affine *full, const pdmc_draw *draw)
 {
-    if (!isfinite(error)) return INFINITY;
-    if (measure == PDMC_MEASURE_BOND) return reduced->crossing_bound * error * sqrt(largest_stiffness(results, draw));
-    // G = |F E_s K|^2 / (E_s E') with E_s the sample's modulus over the mean's
-    const double plane_modulus = draw->effective_modulus * pdmc_plane_modulus(&problem->material);
+    double largest = 0.0;
+    for (int q = 0; q < full->rings; q++) {
+        double mean = 0.0;
+        for (int b = 0; b < full->bins; b++) mean += full->ring_weight[b * full->rings + q];
+        if (mean > 0.0) largest = fmax(largest, draw->ring_weight[q] / mean);
+    }
+    return largest;
+}
+
+// With a field the bound is in the energy of the mean; without it in that of the sample's c(r), which is the effective
+// modulus that was divided out times that of K(xi).
+static double bond_root_energy(const pdmc_block *block, int s, const pdmc_results *results)
+{
+    const pdmc_affine *full = block->variables->model;
+    const pdmc_draw *draw = &block->drawn.draw[s];
+    const double error = full->crossing_bound * block->bound.error[s];
+    if (!(full->crossing_bound > 0.0)) return INFINITY;
+    if (!full->field) return error * sqrt(draw->effective_modulus);
+    const double stiffness = largest_stiffness(results, draw) * largest_ring(full, draw);
+    return error * sqrt(stiffness / block->bound.coercivity[s]);
+}
+
+// G = |F m K|^2 / (m E'), m the sample's modulus at the tip over the mean's
+static double griffith_root_energy(const pdmc_block *block, int s, const pdmc_results *results)
+{
+    const double plane_modulus = pdmc_plane_modulus(&block->problem->material);
     double largest = 0.0;
     for (int t = 0; t < results->tip_count; t++) {
-        const double *bound = &reduced->intensity_bound[2 * t];
-        largest = fmax(largest, largest_kink_norm(results, t) * hypot(bound[0], bound[1]));
+        const double *error = &block->bound.intensity[2 * (s * results->tip_count + t)];
+        const double scale = sqrt(block->drawn.draw[s].tip_modulus[t] / plane_modulus);
+        largest = fmax(largest, scale * largest_kink_norm(results, t) * hypot(error[0], error[1]));
     }
-    return draw->effective_modulus * largest * error_at_mean(reduced, draw, error) / sqrt(plane_modulus);
+    return largest;
+}
+
+double pdmc_certify_root_energy(const pdmc_block *block, int s, const pdmc_results *results, pdmc_measure measure)
+{
+    if (block->failure[s] != PDMC_SAMPLE_OK) return 0.0;
+    if (!isfinite(block->bound.error[s])) return INFINITY;
+    return (measure == PDMC_MEASURE_BOND ? bond_root_energy : griffith_root_energy)(block, s, results);
+}
+
+static double nominal_root(const pdmc_results *results, const double energy[], int tip)
+{
+    double largest = 0.0;
+    for (int a = 0; a < results->angle_count; a++) largest = fmax(largest, energy[tip * results->angle_count + a]);
+    return sqrt(largest);
+}
+
+void pdmc_certify_goal(const pdmc_variables *variables, const pdmc_results *results, double intensity[],
+                       pdmc_reduced_goal *goal)
+{
+    const double margin = 0.5; // the worst of thousands is worse than that of a block
+    const double relative = margin * 0.5 * variables->problem->sampling.energy_tolerance;
+    const double plane_modulus = pdmc_plane_modulus(&variables->problem->material);
+    const bool is_griffith = variables->problem->energy.measure == PDMC_MEASURE_GRIFFITH;
+    double least = INFINITY;
+    for (int t = 0; t < results->tip_count; t++) {
+        least = fmin(least, nominal_root(results, results->nominal_bond_energy, t));
+        intensity[t] = relative * nominal_root(results, results->nominal_griffith_energy, t) * sqrt(plane_modulus) /
+                       largest_kink_norm(results, t);
+    }
+    *goal = (pdmc_reduced_goal){.error = relative * least / variables->model->crossing_bound,
+                                .intensity = is_griffith ? intensity : NULL};
 }
 
 static double largest_energy(const pdmc_results *results, pdmc_measure measure, int sample, int tip)

@@ -3,18 +3,24 @@
 
 /// What the error of a reduced solution can do to the energies of its sample.
 ///
-/// sqrt(G) is a seminorm of the displacement, so that it changes by at most a multiple of |e|, |e|^2 = e' K(xi) e: for
-/// bond energies crossing_bound; for Griffith's, which are norms of the stress intensities F(kink) K of a kink, the largest
-/// norm of F times intensity_bound, over the root of E'. The largest energy G of a sample is then within
+/// sqrt(G) is a seminorm of the displacement, so that it changes by at most a multiple of the error's norm: for bond energies
+/// crossing_bound; for Griffith's, which are norms of the stress intensities F(kink) K of a kink, by the largest norm of F
+/// times the error of K, over the root of E' at the tip. The largest energy G of a sample is then within
 /// (sqrt(G) +- delta)^2.
 
 #include "pdmc/results.h"
-#include "stochastic/draw.h"
+#include "stochastic/block.h"
 
-/// @param[in] error  bound of |e|
-/// @return delta of a measure, the largest of all tips; infinite where there is no bound
-double pdmc_certify_root_energy(const pdmc_problem *problem, const pdmc_affine *reduced, const pdmc_results *results,
-                                const pdmc_draw *draw, pdmc_measure measure, double error);
+/// @param[in] block  solved by the reduced model
+/// @return delta of a measure, the largest of all tips; infinite where there is no bound, 0 of a sample that has failed, as it
+/// would in full
+double pdmc_certify_root_energy(const pdmc_block *block, int s, const pdmc_results *results, pdmc_measure measure);
+
+/// What gives the largest energies at the mean, by the problem's measure, the relative error that is asked for.
+/// @param[in]  results    the nominal energies
+/// @param[out] intensity  [tips] what the goal may point to
+void pdmc_certify_goal(const pdmc_variables *variables, const pdmc_results *results, double intensity[],
+                       pdmc_reduced_goal *goal);
 
 /// The bound of the relative error of the largest energy of a sample, the largest of all tips.
 double pdmc_certify_relative(const pdmc_results *results, pdmc_measure measure, int sample, double delta);

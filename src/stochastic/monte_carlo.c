@@ -46,9 +46,8 @@ static void note_accuracy(const run *r, const pdmc_block *block, int count)
     for (int s = 0; s < count; s++) {
         const int sample = block->sample[s];
         r->residual[sample] = block->residual[s];
-        for (int m = 0; m < PDMC_MEASURES && !isnan(block->error[s]); m++)
-            r->delta[m][sample] = pdmc_certify_root_energy(r->problem, r->model, r->results, &block->drawn.draw[s],
-                                                           (pdmc_measure)m, block->error[s]);
+        for (int m = 0; m < PDMC_MEASURES && !isnan(block->bound.error[s]); m++)
+            r->delta[m][sample] = pdmc_certify_root_energy(block, s, r->results, (pdmc_measure)m);
     }
 }
 
@@ -286,35 +285,25 @@ done:
     return status;
 }
 
-// The tolerance of |e| that gives the largest energies at the mean the relative error that is asked for.
-static double reduced_tolerance(const pdmc_problem *problem, const pdmc_affine *full, const pdmc_results *results)
-{
-    const double margin = 0.5; // the worst of thousands is worse than that of a block
-    const int angles = results->angle_count;
-    double least = INFINITY;
-    for (int t = 0; t < results->tip_count; t++) {
-        double largest = 0.0;
-        for (int a = 0; a < angles; a++) largest = fmax(largest, results->nominal_bond_energy[t * angles + a]);
-        least = fmin(least, largest);
-    }
-    return margin * 0.5 * problem->sampling.energy_tolerance * sqrt(least) / full->crossing_bound;
-}
-
 static pdmc_status make_reduced(const pdmc_variables *variables, int threads, pdmc_results *results,
                                 pdmc_affine *reduced)
 {
-    const pdmc_affine *full = variables->model;
     pdmc_status status = PDMC_OK;
     pdmc_block *block = NULL;
+    pdmc_reduced_goal goal;
+    double *intensity = NULL;
     const double begin = pdmc_seconds();
-    PDMC_TRY(pdmc_block_create(variables, full, &block));
+    PDMC_NEW(intensity, results->tip_count);
+    PDMC_TRY(pdmc_block_create(variables, variables->model, &block));
     PDMC_TRY(pdmc_block_nominal(block, results));
     pdmc_block_destroy(&block);
-    PDMC_TRY(pdmc_reduced_create(variables, reduced_tolerance(variables->problem, full, results), threads, reduced));
+    pdmc_certify_goal(variables, results, intensity, &goal);
+    PDMC_TRY(pdmc_reduced_create(variables, &goal, threads, reduced));
     results->accuracy.reduced_unknowns = reduced->unknowns;
     results->runtime.operators += pdmc_seconds() - begin;
 done:
     pdmc_block_destroy(&block);
+    pdmc_free(intensity);
     return status;
 }
 

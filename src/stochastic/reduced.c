@@ -132,15 +132,16 @@ done:
     return status;
 }
 
-pdmc_status pdmc_reduced_create(const pdmc_variables *variables, double tolerance, int threads, pdmc_affine *reduced)
+pdmc_status pdmc_reduced_create(const pdmc_variables *variables, const pdmc_reduced_goal *goal, int threads,
+                                pdmc_affine *reduced)
 {
     static const pdmc_affine_verbs verbs = {.destroy = pdmc_reduced_system_destroy};
     pdmc_status status = PDMC_OK;
     const pdmc_affine *full = variables->model;
     pdmc_reduced_builder b = {.variables = variables, .full = full, .threads = threads, .n = full->unknowns};
     *reduced = (pdmc_affine){0};
-    PDMC_TRY(pdmc_reduced_builder_create(&b));
-    PDMC_TRY(pdmc_reduced_build(&b, tolerance));
+    PDMC_TRY(pdmc_reduced_builder_create(goal, &b));
+    PDMC_TRY(pdmc_reduced_build(goal, &b));
     // Draws take their weights from the full model.
     *reduced = (pdmc_affine){.terms = full->terms,
                              .radial_terms = full->radial_terms,
@@ -161,13 +162,32 @@ done:
     return status;
 }
 
-pdmc_status pdmc_reduced_solve(const pdmc_affine *reduced, const double xi[], double x[], double error[PDMC_BLOCK])
+// |row . e| by the errors of the adjoint problems where there are some, and by the rows' norms.
+static void bound_rows(const pdmc_affine *reduced, int sides, const double error[], double alpha, double bound[])
 {
-    return pdmc_reduced_system_solve(reduced->discretisation, xi, x, error);
+    for (int k = 0; k < 2 * reduced->tips; k++) {
+        bound[k] = error[0] * reduced->intensity_bound[k] / sqrt(alpha);
+        if (sides > 1) bound[k] = fmin(bound[k], error[0] * error[1 + k]);
+        if (!isfinite(error[0])) bound[k] = INFINITY;
+    }
 }
 
-pdmc_status pdmc_reduced_coercivity(const pdmc_affine *reduced, const double xi[], double alpha[PDMC_BLOCK])
+pdmc_status pdmc_reduced_solve(const pdmc_affine *reduced, const double xi[], double x[], pdmc_reduced_bound *bound)
 {
+    pdmc_status status = PDMC_OK;
     const pdmc_reduced_system *system = reduced->discretisation;
-    return pdmc_reduced_system_coercivity(system, xi, alpha);
+    const int r = system->dimension, sides = system->sides;
+    double *y = NULL, *error = NULL;
+    PDMC_NEW(y, B * sides * r);
+    PDMC_NEW(error, B * sides);
+    PDMC_TRY(pdmc_reduced_system_solve(system, xi, y, error, bound->coercivity));
+    for (int s = 0; s < B; s++) {
+        memcpy(&x[s * r], &y[s * sides * r], (size_t)r * sizeof *x);
+        bound->error[s] = error[s * sides];
+        bound_rows(reduced, sides, &error[s * sides], bound->coercivity[s], &bound->intensity[s * 2 * reduced->tips]);
+    }
+done:
+    pdmc_free(y);
+    pdmc_free(error);
+    return status;
 }

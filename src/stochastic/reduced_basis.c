@@ -5,30 +5,34 @@
 #include "stochastic/draw.h"
 
 #include <cblas.h>
+#include <gsl/gsl_sort.h>
 #include <lapacke.h>
 #include <math.h>
 #include <string.h>
 
-static const double share_left_out = 0.2; // of the error that is wanted: smaller directions do not enter the basis
+static const double share_left_out = 0.2; // of the error that is allowed: smaller directions do not enter the basis
 
 enum { B = PDMC_BLOCK, CAPACITY = PDMC_REDUCED_CAPACITY, MOST_ROUNDS = 24, MOST_OF_A_ROUND = B / 2 };
 
 static const uint64_t training_samples = UINT64_C(1) << 63; // the first; far from those of any study
 
-pdmc_status pdmc_reduced_builder_create(pdmc_reduced_builder *b)
+pdmc_status pdmc_reduced_builder_create(const pdmc_reduced_goal *goal, pdmc_reduced_builder *b)
 {
     pdmc_status status = PDMC_OK;
     const size_t n = (size_t)b->n, terms = (size_t)b->full->terms;
-    PDMC_TRY(pdmc_reduced_system_create(b->full, &b->system));
+    const int sides = goal->intensity ? 1 + 2 * b->full->tips : 1;
+    PDMC_TRY(pdmc_reduced_system_create(b->full, sides, &b->system));
     PDMC_NEW(b->basis, CAPACITY * n);
     PDMC_NEW(b->image, CAPACITY * n);
     PDMC_NEW(b->probe, PDMC_PROBES * n);
-    PDMC_NEW(b->load, n);
+    PDMC_NEW(b->load, (size_t)sides * n);
     PDMC_NEW(b->block, B * n);
     PDMC_NEW(b->product, B * n);
     PDMC_NEW(b->overlap, B * CAPACITY);
     PDMC_TRY(pdmc_draws_create(b->variables, &b->training));
+    PDMC_NEW(b->xi, B * terms);
     PDMC_NEW(b->none, B * terms);
+    PDMC_NEW(b->allowed, sides);
 done:
     return status;
 }
@@ -44,7 +48,9 @@ void pdmc_reduced_builder_clear(pdmc_reduced_builder *b)
     pdmc_free(b->product);
     pdmc_free(b->overlap);
     pdmc_draws_clear(&b->training);
+    pdmc_free(b->xi);
     pdmc_free(b->none);
+    pdmc_free(b->allowed);
 }
 
 static pdmc_status make_probes(pdmc_reduced_builder *b)
@@ -59,23 +65,21 @@ static pdmc_status make_probes(pdmc_reduced_builder *b)
     return b->full->verbs->color(b->full, b->block, b->probe);
 }
 
-// The first vector of the block is the answer to the mean load, the others are zero; so are those of the product.
-static void take_mean(pdmc_reduced_builder *b)
+// F = K_0 times the answer to the mean load, and the rows of the stress intensities but for unknowns that are held, where
+// probes are zero.
+static pdmc_status make_loads(pdmc_reduced_builder *b)
 {
     const size_t n = (size_t)b->n;
+    const int sides = b->system->sides;
     memset(b->block, 0, B * n * sizeof *b->block);
     memcpy(b->block, b->full->solution[1], n * sizeof *b->block);
-}
-
-// F = K_0 times the answer to it, and its products with the probes.
-static pdmc_status make_load(pdmc_reduced_builder *b)
-{
-    take_mean(b);
     const pdmc_status status = b->full->verbs->multiply(b->full, 1.0, b->none, b->block, b->product);
     if (status != PDMC_OK) return status;
-    memcpy(b->load, b->product, (size_t)b->n * sizeof *b->load);
-    cblas_dgemv(CblasRowMajor, CblasNoTrans, PDMC_PROBES, b->n, 1.0, b->probe, b->n, b->load, 1, 0.0,
-                b->system->probe_load, 1);
+    memcpy(b->load, b->product, n * sizeof *b->load);
+    for (size_t k = n; k < (size_t)sides * n; k++)
+        b->load[k] = b->probe[k % n] != 0.0 ? b->full->stress_intensity[k - n] : 0.0;
+    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, sides, PDMC_PROBES, b->n, 1.0, b->load, b->n, b->probe, b->n,
+                0.0, b->system->probe_load, PDMC_PROBES);
     return PDMC_OK;
 }
 
@@ -99,9 +103,9 @@ static void project_out(pdmc_reduced_builder *b)
                 b->block, n);
 }
 
-// Scratch of one thread: blocks, and coefficients that select a term.
+// Scratch of one thread: blocks, coefficients that select a term, and what the images have in the basis.
 typedef struct {
-    double *xi, *vectors, *products;
+    double *xi, *vectors, *products, *overlap;
 } selection;
 
 static pdmc_status selection_create(const pdmc_reduced_builder *b, selection *made)
@@ -111,6 +115,7 @@ static pdmc_status selection_create(const pdmc_reduced_builder *b, selection *ma
     PDMC_NEW(made->xi, B * b->full->terms);
     PDMC_NEW(made->vectors, (size_t)B * (size_t)b->n);
     PDMC_NEW(made->products, (size_t)B * (size_t)b->n);
+    PDMC_NEW(made->overlap, B * CAPACITY);
 done:
     return status;
 }
@@ -120,6 +125,7 @@ static void selection_clear(selection *made)
     pdmc_free(made->xi);
     pdmc_free(made->vectors);
     pdmc_free(made->products);
+    pdmc_free(made->overlap);
 }
 
 // products = K_m times `count` vectors of the basis from `first` on, m >= 1.
@@ -139,25 +145,21 @@ static void project_on_probes(const pdmc_reduced_builder *b, int m, int first, i
                 0.0, &b->system->probe_matrix[((size_t)m * CAPACITY + (size_t)first) * PDMC_PROBES], PDMC_PROBES);
 }
 
-static void mirror(int first, int r, double matrix[])
+// Columns first .. first + count - 1 of the triangle of V' K_m V; overlap: [count, first + count]
+static void fill_columns(const pdmc_reduced_builder *b, int m, int first, int count, const double overlap[])
 {
-    for (size_t j = (size_t)first; j < (size_t)r; j++)
-        for (size_t i = 0; i < j; i++) matrix[i * CAPACITY + j] = matrix[j * CAPACITY + i];
+    double *matrix = &b->system->matrix[(size_t)m * PDMC_REDUCED_TRIANGLE];
+    for (int j = first; j < first + count; j++)
+        memcpy(&matrix[pdmc_triangle_column((size_t)j)], &overlap[(j - first) * (first + count)],
+               (size_t)(j + 1) * sizeof *matrix);
 }
 
-static double *matrix_of_term(const pdmc_reduced_builder *b, int m)
-{
-    return &b->system->matrix[(size_t)(m - 1) * CAPACITY * CAPACITY];
-}
-
-// Rows first .. first + count - 1 of V' K_m V, and by symmetry its columns.
-static void project_on_basis(const pdmc_reduced_builder *b, int m, int first, int count, const double product[])
+static void project_on_basis(const pdmc_reduced_builder *b, int m, int first, int count, const double product[],
+                             double overlap[])
 {
     const int n = b->n, r = first + count;
-    double *matrix = matrix_of_term(b, m);
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, count, r, n, 1.0, product, n, b->basis, n, 0.0,
-                &matrix[(size_t)first * CAPACITY], CAPACITY);
-    mirror(first, r, matrix);
+    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, count, r, n, 1.0, product, n, b->basis, n, 0.0, overlap, r);
+    fill_columns(b, m, first, count, overlap);
 }
 
 // The terms one by one, each applied to the new vectors.
@@ -173,7 +175,7 @@ static pdmc_status project_terms(pdmc_reduced_builder *b, int first, int count)
             if (mine == PDMC_OK) mine = apply_term(b, &work, m, first, count);
             if (mine != PDMC_OK) continue;
             project_on_probes(b, m, first, count, work.products);
-            project_on_basis(b, m, first, count, work.products);
+            project_on_basis(b, m, first, count, work.products, work.overlap);
         }
         selection_clear(&work);
         if (mine != PDMC_OK) {
@@ -197,12 +199,9 @@ static pdmc_status project_at_once(pdmc_reduced_builder *b, int first, int count
     PDMC_TRY(full->verbs->project(full, count, vectors, PDMC_PROBES, b->probe, on_probes));
     PDMC_TRY(full->verbs->project(full, count, vectors, (int)r, b->basis, on_basis));
     for (size_t m = 0; m < terms; m++) {
-        double *matrix = matrix_of_term(b, (int)m + 1);
         memcpy(&b->system->probe_matrix[((m + 1) * CAPACITY + (size_t)first) * PDMC_PROBES],
                &on_probes[m * rows * PDMC_PROBES], rows * PDMC_PROBES * sizeof *on_probes);
-        for (size_t i = 0; i < rows; i++)
-            memcpy(&matrix[((size_t)first + i) * CAPACITY], &on_basis[(m * rows + i) * r], r * sizeof *on_basis);
-        mirror(first, (int)r, matrix);
+        fill_columns(b, (int)m + 1, first, count, &on_basis[m * rows * r]);
     }
 done:
     pdmc_free(on_probes);
@@ -216,13 +215,14 @@ static pdmc_status project(pdmc_reduced_builder *b, int count)
     const int n = b->n, first = b->system->dimension;
     const double *vectors = &b->basis[(size_t)first * (size_t)n];
     b->system->dimension += count;
-    cblas_dgemv(CblasRowMajor, CblasNoTrans, count, n, 1.0, vectors, n, b->load, 1, 0.0, &b->system->load[first], 1);
+    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, b->system->sides, count, n, 1.0, b->load, n, vectors, n, 0.0,
+                &b->system->load[first], CAPACITY);
     project_on_probes(b, 0, first, count, &b->image[(size_t)first * (size_t)n]);
     return (b->full->verbs->project ? project_at_once : project_terms)(b, first, count);
 }
 
 // Appends to the basis those combinations of the block that are new and large: the eigenvectors of its Gram matrix in the
-// energy of the mean. What is `small` against the error that is wanted is left out.
+// energy of the mean. What is `small` against the errors that are allowed is left out.
 static pdmc_status enrich(pdmc_reduced_builder *b, double small, int *added)
 {
     pdmc_status status = PDMC_OK;
@@ -249,50 +249,116 @@ done:
     return status;
 }
 
-// The block becomes the preconditioned residuals K_0^-1 (F - K(xi) V x) of the training samples.
-static pdmc_status residuals(pdmc_reduced_builder *b, const double x[])
+// The answers at the mean, some at a time.
+static pdmc_status begin_basis(pdmc_reduced_builder *b, int *added)
 {
-    const pdmc_affine_verbs *verbs = b->full->verbs;
-    const int n = b->n, r = b->system->dimension;
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, B, n, r, 1.0, x, r, b->basis, n, 0.0, b->block, n);
-    pdmc_status status = verbs->multiply(b->full, 1.0, b->training.xi, b->block, b->product);
-    if (status != PDMC_OK) return status;
-    for (int s = 0; s < B; s++) {
-        double *row = &b->product[(size_t)s * (size_t)n];
-        for (int k = 0; k < n; k++) row[k] = b->load[k] - row[k];
+    pdmc_status status = PDMC_OK;
+    const size_t n = (size_t)b->n;
+    for (int first = 0; first < b->system->sides; first += MOST_OF_A_ROUND) {
+        const int left = b->system->sides - first, count = left < MOST_OF_A_ROUND ? left : MOST_OF_A_ROUND;
+        memset(b->product, 0, B * n * sizeof *b->product);
+        memcpy(b->product, &b->load[(size_t)first * n], (size_t)count * n * sizeof *b->product);
+        PDMC_TRY(b->full->verbs->precondition(b->full, b->product, b->block));
+        PDMC_TRY(enrich(b, 0.0, added));
     }
-    return verbs->precondition(b->full, b->product, b->block);
-}
-
-// Solves the training samples; tells the largest bound of their errors, of those that have one.
-static pdmc_status train(pdmc_reduced_builder *b, double x[], double *worst)
-{
-    double error[B];
-    const pdmc_status status = pdmc_reduced_system_solve(b->system, b->training.xi, x, error);
-    *worst = 0.0;
-    for (int s = 0; s < B && status == PDMC_OK; s++)
-        if (isfinite(error[s])) *worst = fmax(*worst, error[s]);
+done:
     return status;
 }
 
-pdmc_status pdmc_reduced_build(pdmc_reduced_builder *b, double wanted)
+// Errors whose products meet the goal, each the same share of its answer's size at the mean as nearly as tips allow: the
+// basis holds the answers at the mean, so that these sizes are those of the coordinates of the loads.
+static void share_out(const pdmc_reduced_goal *goal, pdmc_reduced_builder *b)
+{
+    const pdmc_reduced_system *system = b->system;
+    const double size = cblas_dnrm2(system->dimension, system->load, 1);
+    double square = INFINITY; // of the share
+    b->allowed[0] = goal->error;
+    if (!goal->intensity) return;
+    for (int t = 0; t < b->full->tips; t++) {
+        const double *row = &system->load[(size_t)(1 + 2 * t) * CAPACITY];
+        const double rows =
+            hypot(cblas_dnrm2(system->dimension, row, 1), cblas_dnrm2(system->dimension, row + CAPACITY, 1));
+        square = fmin(square, goal->intensity[t] / (size * rows));
+    }
+    b->allowed[0] = size * sqrt(square);
+    for (int k = 1; k < system->sides; k++) b->allowed[k] = goal->intensity[(k - 1) / 2] / (sqrt(2.0) * b->allowed[0]);
+}
+
+// The block becomes the preconditioned residuals K_0^-1 (F - K(xi) V y) of those of the training samples and right-hand
+// sides whose errors are the largest shares of what is allowed, as shares of it. Samples without a bound are left out.
+static pdmc_status residuals(pdmc_reduced_builder *b, const double y[], const double error[])
 {
     pdmc_status status = PDMC_OK;
-    double *x = NULL, worst = INFINITY;
+    const int n = b->n, r = b->system->dimension, sides = b->system->sides, terms = b->full->terms;
+    double *share = NULL, *coordinates = NULL;
+    size_t chosen[B];
+    PDMC_NEW(share, B * sides);
+    PDMC_NEW(coordinates, B * r);
+    for (int k = 0; k < B * sides; k++) share[k] = isfinite(error[k]) ? error[k] / b->allowed[k % sides] : 0.0;
+    gsl_sort_largest_index(chosen, B, share, 1, (size_t)(B * sides));
+    for (int c = 0; c < B; c++) {
+        memcpy(&coordinates[c * r], &y[(int)chosen[c] * r], (size_t)r * sizeof *y);
+        memcpy(&b->xi[c * terms], &b->training.xi[(int)chosen[c] / sides * terms], (size_t)terms * sizeof *b->xi);
+    }
+    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, B, n, r, 1.0, coordinates, r, b->basis, n, 0.0, b->block, n);
+    PDMC_TRY(b->full->verbs->multiply(b->full, 1.0, b->xi, b->block, b->product));
+    for (int c = 0; c < B; c++) {
+        const int side = (int)chosen[c] % sides;
+        const double *load = &b->load[(size_t)side * (size_t)n];
+        const double scale = share[chosen[c]] > 0.0 ? 1.0 / b->allowed[side] : 0.0;
+        double *row = &b->product[(size_t)c * (size_t)n];
+        for (int k = 0; k < n; k++) row[k] = scale * (load[k] - row[k]);
+    }
+    PDMC_TRY(b->full->verbs->precondition(b->full, b->product, b->block));
+done:
+    pdmc_free(share);
+    pdmc_free(coordinates);
+    return status;
+}
+
+// The largest share of the goal that the bounds of a sample have.
+static double share_of_goal(const pdmc_reduced_goal *goal, int tips, const double error[])
+{
+    double worst = 0.0;
+    if (!goal->intensity) return error[0] / goal->error;
+    for (int t = 0; t < tips; t++)
+        worst = fmax(worst, error[0] * hypot(error[1 + 2 * t], error[2 + 2 * t]) / goal->intensity[t]);
+    return worst;
+}
+
+// Solves the training samples; tells the largest share of the goal, of those that have bounds.
+static pdmc_status train(const pdmc_reduced_goal *goal, pdmc_reduced_builder *b, double y[], double error[],
+                         double *worst)
+{
+    double alpha[B];
+    const int sides = b->system->sides;
+    const pdmc_status status = pdmc_reduced_system_solve(b->system, b->training.xi, y, error, alpha);
+    *worst = 0.0;
+    for (int s = 0; s < B && status == PDMC_OK; s++)
+        if (isfinite(error[s * sides])) *worst = fmax(*worst, share_of_goal(goal, b->full->tips, &error[s * sides]));
+    return status;
+}
+
+pdmc_status pdmc_reduced_build(const pdmc_reduced_goal *goal, pdmc_reduced_builder *b)
+{
+    pdmc_status status = PDMC_OK;
+    double *y = NULL, *error = NULL, worst = INFINITY;
     int added = 0;
-    PDMC_NEW(x, B * CAPACITY);
+    PDMC_NEW(y, B * b->system->sides * CAPACITY);
+    PDMC_NEW(error, B * b->system->sides);
     PDMC_TRY(make_probes(b));
-    PDMC_TRY(make_load(b));
-    take_mean(b);
-    PDMC_TRY(enrich(b, 0.0, &added));
+    PDMC_TRY(make_loads(b));
+    PDMC_TRY(begin_basis(b, &added));
+    share_out(goal, b);
     for (int round = 0; round < MOST_ROUNDS && added > 0; round++) {
         PDMC_TRY(draw_training(b, round));
-        PDMC_TRY(train(b, x, &worst));
-        if (worst <= wanted) break;
-        PDMC_TRY(residuals(b, x));
-        PDMC_TRY(enrich(b, share_left_out * wanted, &added));
+        PDMC_TRY(train(goal, b, y, error, &worst));
+        if (worst <= 1.0) break;
+        PDMC_TRY(residuals(b, y, error));
+        PDMC_TRY(enrich(b, share_left_out, &added));
     }
 done:
-    pdmc_free(x);
+    pdmc_free(y);
+    pdmc_free(error);
     return status;
 }

@@ -4,29 +4,41 @@
 #include "base/base_impl.h"
 #include "stochastic/reduced.h"
 
-enum { PDMC_PROBES = PDMC_BLOCK, PDMC_REDUCED_CAPACITY = 6 * PDMC_BLOCK };
+enum {
+    PDMC_PROBES = PDMC_BLOCK,
+    PDMC_REDUCED_CAPACITY = 6 * PDMC_BLOCK,
+    PDMC_REDUCED_TRIANGLE = PDMC_REDUCED_CAPACITY * (PDMC_REDUCED_CAPACITY + 1) / 2,
+};
 
-/// What a reduced model solves with; r is its dimension, the capacity the leading dimension of what grows.
+/// What a reduced model solves with; r is its dimension, the capacity that of what grows. The right-hand sides are the load
+/// and, where the stress intensities have bounds of their own, their rows. Term 0 is the mean.
 typedef struct {
     const pdmc_affine *full;
-    int dimension, terms;
-    double *matrix;       // [terms, capacity, capacity] V' K_m V; V' K_0 V is the identity
-    double *load;         // [capacity] V' F
-    double *probe_matrix; // [1 + terms, capacity, PDMC_PROBES] z_k' K_m v_j, m = 0 the mean
-    double *probe_load;   // [PDMC_PROBES] z_k' F
+    int dimension, terms, sides;
+    double *matrix;       // [1 + terms, triangle] v_i' K_m v_j, i <= j, by columns; the identity for m = 0
+    double *load;         // [sides, capacity] V' F
+    double *probe_matrix; // [1 + terms, capacity, PDMC_PROBES] z_k' K_m v_j
+    double *probe_load;   // [sides, PDMC_PROBES] z_k' F
     double quantile;      // of chi-square with PDMC_PROBES degrees of freedom, at the probability of a failing bound
 } pdmc_reduced_system;
 
-PDMC_NODISCARD pdmc_status pdmc_reduced_system_create(const pdmc_affine *full, pdmc_reduced_system **system);
+/// Where the part of column j begins in a triangle that is packed by columns.
+static inline size_t pdmc_triangle_column(size_t j)
+{
+    return j * (j + 1) / 2;
+}
+
+PDMC_NODISCARD pdmc_status pdmc_reduced_system_create(const pdmc_affine *full, int sides, pdmc_reduced_system **system);
 void pdmc_reduced_system_destroy(void *system);
 
-/// As pdmc_reduced_solve(), with rows of x of length system->dimension.
-PDMC_NODISCARD pdmc_status pdmc_reduced_system_solve(const pdmc_reduced_system *system, const double xi[], double x[],
-                                                     double error[PDMC_BLOCK]);
-
-/// As pdmc_reduced_coercivity().
-PDMC_NODISCARD pdmc_status pdmc_reduced_system_coercivity(const pdmc_reduced_system *system, const double xi[],
-                                                          double alpha[PDMC_BLOCK]);
+/// Solves a block for all right-hand sides.
+/// @param[in]  xi     [PDMC_BLOCK, terms]
+/// @param[out] y      [PDMC_BLOCK, sides, dimension]
+/// @param[out] error  [PDMC_BLOCK, sides] bounds of sqrt(e' K(xi) e); infinite where K(xi) is not known to be positive
+/// @param[out] alpha  [PDMC_BLOCK] of K(xi) >= alpha K_0
+/// @return PDMC_OK, PDMC_ERR_NOMEM, or the failure of the model's verb
+PDMC_NODISCARD pdmc_status pdmc_reduced_system_solve(const pdmc_reduced_system *system, const double xi[], double y[],
+                                                     double error[], double alpha[PDMC_BLOCK]);
 
 /// What a basis is made with. Vectors are [count, unknowns]; B = PDMC_BLOCK.
 typedef struct {
@@ -36,15 +48,18 @@ typedef struct {
     pdmc_reduced_system *system;
     double *basis, *image;   // [PDMC_REDUCED_CAPACITY] V and K_0 V
     double *probe;           // [PDMC_PROBES]
-    double *load;            // [1] F
+    double *load;            // [sides] F
     double *block, *product; // [B]
     double *overlap;         // [B, PDMC_REDUCED_CAPACITY]
     pdmc_draws training;
-    double *none; // [B, terms] zero
+    double *xi;      // [B, terms] of the block's columns
+    double *none;    // [B, terms] zero
+    double *allowed; // [sides] error of each right-hand side, of which directions are scaled
 } pdmc_reduced_builder;
 
-PDMC_NODISCARD pdmc_status pdmc_reduced_builder_create(pdmc_reduced_builder *b);
+/// @param[in] goal  which right-hand sides there are
+PDMC_NODISCARD pdmc_status pdmc_reduced_builder_create(const pdmc_reduced_goal *goal, pdmc_reduced_builder *b);
 void pdmc_reduced_builder_clear(pdmc_reduced_builder *b);
 
-/// Makes the basis and the system, until the bound of the training samples' errors is at most `wanted`.
-PDMC_NODISCARD pdmc_status pdmc_reduced_build(pdmc_reduced_builder *b, double wanted);
+/// Makes the basis and the system, until the bounds of the training samples' errors meet the goal.
+PDMC_NODISCARD pdmc_status pdmc_reduced_build(const pdmc_reduced_goal *goal, pdmc_reduced_builder *b);

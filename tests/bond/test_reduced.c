@@ -50,16 +50,19 @@ static void the_bound_holds(void **state)
     double size = 0.0;
     for (int i = 0; i < 3; i++) {
         pdmc_affine reduced;
-        double bound[B], error[B], least = INFINITY, most = 0.0, worst = 0.0;
-        CHECK_OK(pdmc_reduced_create(&drawn.variables, tolerances[i], 2, &reduced));
+        pdmc_reduced_bound bound;
+        const pdmc_reduced_goal goal = {.error = tolerances[i]};
+        double error[B], least = INFINITY, most = 0.0, worst = 0.0;
+        CHECK_OK(pdmc_reduced_create(&drawn.variables, &goal, 2, &reduced));
         double *y = pdmc_calloc((size_t)B * (size_t)reduced.unknowns, sizeof *y);
-        CHECK_OK(pdmc_reduced_solve(&reduced, xi, y, bound));
+        bound.intensity = pdmc_calloc(B * 2 * TIPS, sizeof(double));
+        CHECK_OK(pdmc_reduced_solve(&reduced, xi, y, &bound));
         true_errors(&c, &reduced, xi, y, error);
         for (int s = 0; s < B; s++) {
             size = fmax(size, cblas_dnrm2(reduced.unknowns, &y[s * reduced.unknowns], 1));
-            least = fmin(least, bound[s] / error[s]);
-            most = fmax(most, bound[s] / error[s]);
-            worst = fmax(worst, bound[s]);
+            least = fmin(least, bound.error[s] / error[s]);
+            most = fmax(most, bound.error[s] / error[s]);
+            worst = fmax(worst, bound.error[s]);
         }
         print_message("tolerance %g: %d unknowns, largest bound %.2e, bound / error from %.2f to %.2f; size %.2f\n",
                       tolerances[i], reduced.unknowns, worst, least, most, size);
@@ -67,6 +70,7 @@ static void the_bound_holds(void **state)
         assert_true(most < 6.0);
         assert_true(worst < 2.0 * tolerances[i]);
         pdmc_free(y);
+        pdmc_free(bound.intensity);
         pdmc_affine_clear(&reduced);
     }
     drawn_block_end(&drawn);
