@@ -106,7 +106,7 @@ static pdmc_status make_stiffness(const pdmc_problem *problem, int threads, kans
     PDMC_TRY(pdmc_kansa_form_create(plate->kansa, &plate->form));
     PDMC_NEW(plate->release, problem->energy.tip_count);
     for (int t = 0; t < problem->energy.tip_count; t++)
-        PDMC_TRY(pdmc_kansa_release_sensitivity(plate->kansa, t, &plate->release[t]));
+        PDMC_TRY(pdmc_kansa_release_sensitivity(plate->kansa, t, stiffness->covariance.length, &plate->release[t]));
     PDMC_TRY(pdmc_field_create(&request, problem->plate.width, problem->plate.height, problem->energy.tip_count,
                                plate->release, threads, &plate->field));
 done:

@@ -7,10 +7,9 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
-// Rings grow by a factor of 1.6 from 1/500 of the room on, which gives a variance of G at a correlation length of half the
-// crack's half length to 5 %, at its half length to 2 % (less with longer ones).
-enum { SECTORS = 8, RADII = 6, ANGLES = 8, MOST_RINGS = 32 };
-static const double first_ring = 2e-3, growth = 1.6, whole = 0.42, none = 0.82; // of the room
+enum { SECTORS = 8, RADII = 10, ANGLES = 10, FEW_RADII = 4, FEW_ANGLES = 5, MOST_RINGS = 16 };
+static const double first_ring = 2e-3, growth = 2.0, whole = 0.42, none = 0.82; // of the room
+static const double smooth = 0.25; // of the length on which the stiffness varies: few points do on smaller rings
 
 static double distance_to_crack(const pdmc_crack *crack, const double x[2])
 {
@@ -63,15 +62,17 @@ static void add_point(pdmc_area_rule *rule, const double x[2], double weight)
 }
 
 // A sector of a ring; the first one begins behind the tip, at a face of its crack.
-static pdmc_status add_sector(const pdmc_moving_tip *tip, double from, double to, int sector, pdmc_area_rule *rule)
+static pdmc_status add_sector(const pdmc_moving_tip *tip, double from, double to, int sector, bool is_smooth,
+                              pdmc_area_rule *rule)
 {
     pdmc_status status = PDMC_OK;
     double r[RADII], radial[RADII], angle[ANGLES], angular[ANGLES];
     const double width = 2.0 * M_PI / SECTORS, begin = -M_PI + sector * width;
-    PDMC_TRY(pdmc_gauss_legendre(RADII, from, to, r, radial));
-    PDMC_TRY(pdmc_gauss_legendre(ANGLES, begin, begin + width, angle, angular));
-    for (int i = 0; i < RADII; i++)
-        for (int j = 0; j < ANGLES; j++) {
+    const int radii = is_smooth ? FEW_RADII : RADII, angles = is_smooth ? FEW_ANGLES : ANGLES;
+    PDMC_TRY(pdmc_gauss_legendre(radii, from, to, r, radial));
+    PDMC_TRY(pdmc_gauss_legendre(angles, begin, begin + width, angle, angular));
+    for (int i = 0; i < radii; i++)
+        for (int j = 0; j < angles; j++) {
             const double c = cos(angle[j]), s = sin(angle[j]), *e = tip->along;
             const double x[2] = {tip->at[0] + r[i] * (c * e[0] - s * e[1]), tip->at[1] + r[i] * (c * e[1] + s * e[0])};
             add_point(rule, x, radial[i] * angular[j] * r[i] * share_of_rings(tip, r[i]));
@@ -80,7 +81,7 @@ done:
     return status;
 }
 
-pdmc_status pdmc_release_rule(const pdmc_kansa *kansa, const pdmc_moving_tip *tip, pdmc_area_rule *rule)
+pdmc_status pdmc_release_rule(const pdmc_kansa *kansa, const pdmc_moving_tip *tip, double length, pdmc_area_rule *rule)
 {
     pdmc_status status = PDMC_OK;
     pdmc_area_rule plate = {0};
@@ -96,7 +97,8 @@ pdmc_status pdmc_release_rule(const pdmc_kansa *kansa, const pdmc_moving_tip *ti
     double from = 0.0;
     for (double to = first_ring; from < none; to *= growth) {
         for (int s = 0; s < SECTORS; s++)
-            PDMC_TRY(add_sector(tip, from * tip->room, fmin(to, none) * tip->room, s, rule));
+            PDMC_TRY(add_sector(tip, from * tip->room, fmin(to, none) * tip->room, s, to * tip->room < smooth * length,
+                                rule));
         from = fmin(to, none);
     }
 done:

@@ -20,5 +20,7 @@ double pdmc_moving_tip_velocity(const pdmc_moving_tip *tip, const double x[2], d
 /// A rule over the plate that resolves derivatives of energies to the tip's position, which go with r^-2 and cancel over
 /// the circle: rings of Gauss points round the tip, graded to it, and that of the weak form elsewhere, with a smooth share
 /// of each in between.
-/// @param[out] rule  free with pdmc_area_rule_clear()
-PDMC_NODISCARD pdmc_status pdmc_release_rule(const pdmc_kansa *kansa, const pdmc_moving_tip *tip, pdmc_area_rule *rule);
+/// @param[in]  length  on which the stiffness varies: its correlation length
+/// @param[out] rule    free with pdmc_area_rule_clear()
+PDMC_NODISCARD pdmc_status pdmc_release_rule(const pdmc_kansa *kansa, const pdmc_moving_tip *tip, double length,
+                                             pdmc_area_rule *rule);

@@ -114,7 +114,8 @@ static int merge(int points, double x[], double weight[])
     return count;
 }
 
-pdmc_status pdmc_kansa_release_sensitivity(const pdmc_kansa *kansa, int tip, pdmc_field_functional *functional)
+pdmc_status pdmc_kansa_release_sensitivity(const pdmc_kansa *kansa, int tip, double length,
+                                           pdmc_field_functional *functional)
 {
     pdmc_status status = PDMC_OK;
     const pdmc_problem *problem = kansa->problem;
@@ -126,7 +127,7 @@ pdmc_status pdmc_kansa_release_sensitivity(const pdmc_kansa *kansa, int tip, pdm
     PDMC_TRY(pdmc_kansa_tip(kansa, problem->energy.tips[tip], &mean));
     const double G = griffith(problem, &mean);
     if (G == 0.0) return PDMC_OK;
-    PDMC_TRY(pdmc_release_rule(kansa, &moving, &rule));
+    PDMC_TRY(pdmc_release_rule(kansa, &moving, length, &rule));
     PDMC_NEW(x, 4 * rule.count);
     PDMC_NEW(weight, 2 * rule.count);
     const double factor = -1.0 / (4.0 * step * moving.room * G);
@@ -141,16 +142,35 @@ done:
     return status;
 }
 
+// psi at many points, by chunks.
+static pdmc_status evaluate(const pdmc_stiffness_terms *terms, int threads, int points, const double x[],
+                            double value[])
+{
+    enum { CHUNK = 64 };
+    pdmc_status status = PDMC_OK;
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+    for (int first = 0; first < points; first += CHUNK) {
+        const int count = points - first < CHUNK ? points - first : CHUNK;
+        const pdmc_status mine =
+            terms->at(terms->context, count, &x[2 * first], &value[(size_t)first * (size_t)terms->terms]);
+        if (mine != PDMC_OK) {
+#pragma omp critical(pdmc_kansa_release)
+            status = mine;
+        }
+    }
+    return status;
+}
+
 // sum += factor sum_j weight_j psi_k(x_j)
-static pdmc_status add_functional(const pdmc_stiffness_terms *terms, const pdmc_field_functional *functional, double factor,
-                                  double sum[])
+static pdmc_status add_functional(const pdmc_stiffness_terms *terms, int threads,
+                                  const pdmc_field_functional *functional, double factor, double sum[])
 {
     pdmc_status status = PDMC_OK;
     const int count = terms->terms;
     double *value = NULL;
     if (functional->points == 0) return PDMC_OK;
     PDMC_NEW(value, (size_t)functional->points * (size_t)count);
-    PDMC_TRY(terms->at(terms->context, functional->points, functional->x, value));
+    PDMC_TRY(evaluate(terms, threads, functional->points, functional->x, value));
     cblas_dgemv(CblasRowMajor, CblasTrans, functional->points, count, factor, value, count, functional->weight, 1, 1.0,
                 sum, 1);
 done:
@@ -162,11 +182,12 @@ pdmc_status pdmc_kansa_correct_tips(const pdmc_kansa_form *form, const pdmc_stif
                                     const pdmc_field_functional release[], pdmc_affine *model)
 {
     pdmc_status status = PDMC_OK;
-    const int count = terms->terms;
+    const int threads = form->kansa->threads;
     for (int t = 0; t < model->tips; t++) {
-        double *stiffness = &model->tip_stiffness[t * count];
-        PDMC_TRY(add_functional(terms, &release[t], 1.0, stiffness));
-        if (release[t].points > 0) PDMC_TRY(add_functional(terms, &form->sensitivity[t], -1.0, stiffness));
+        double *stiffness = &model->tip_stiffness[t * terms->terms];
+        if (release[t].points == 0) continue;
+        PDMC_TRY(add_functional(terms, threads, &release[t], 1.0, stiffness));
+        PDMC_TRY(add_functional(terms, threads, &form->sensitivity[t], -1.0, stiffness));
     }
 done:
     return status;

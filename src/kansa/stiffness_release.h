@@ -10,8 +10,9 @@
 /// factors needs the answer of the tip to a stiffness that varies close to it, which no smooth basis has: without it the
 /// scatter of G of an exponential covariance is 15 % too large.
 /// @param[in]  tip         number of the tip in the problem's request
+/// @param[in]  length      on which the stiffness varies: its correlation length
 /// @param[out] functional  of M; its arrays are the caller's to free
-PDMC_NODISCARD pdmc_status pdmc_kansa_release_sensitivity(const pdmc_kansa *kansa, int tip,
+PDMC_NODISCARD pdmc_status pdmc_kansa_release_sensitivity(const pdmc_kansa *kansa, int tip, double length,
                                                           pdmc_field_functional *functional);
 
 /// Replaces the stiffness at each tip of a model by the weighted average that a tip feels: the one with which
