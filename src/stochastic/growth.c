@@ -7,6 +7,7 @@
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { B = PDMC_BLOCK };
 
@@ -87,37 +88,76 @@ static pdmc_status solve_block(pdmc_growth *growth, pdmc_block *block, int count
     return PDMC_OK;
 }
 
-// The points in doubt of a block, side by side on the full model.
-static pdmc_status solve_in_full(pdmc_growth *growth, pdmc_block *block, int count, const double z[],
-                                 const bool doubt[], double g[])
+// One block of the points that are named, on the full model.
+static pdmc_status solve_in_full(pdmc_growth *growth, pdmc_block *block, int count, const int place[], const double z[],
+                                 double g[])
 {
     pdmc_status status = PDMC_OK;
-    const int variables = growth->variables->count;
-    int found = 0, place[B];
+    const size_t variables = (size_t)growth->variables->count;
     double *point = NULL;
     PDMC_NEW(point, B * variables);
-    for (int s = 0; s < count; s++) {
-        if (!doubt[s]) continue;
-        for (int k = 0; k < variables; k++) point[found * variables + k] = z[s * variables + k];
-        place[found++] = s;
-    }
-    PDMC_TRY(pdmc_block_draw_points(block, point, found));
-    PDMC_TRY(pdmc_block_solve_by(block, PDMC_INVERSE_KRYLOV, found));
+    for (int k = 0; k < count; k++)
+        memcpy(&point[(size_t)k * variables], &z[(size_t)place[k] * variables], variables * sizeof *point);
+    PDMC_TRY(pdmc_block_draw_points(block, point, count));
+    PDMC_TRY(pdmc_block_solve_by(block, PDMC_INVERSE_KRYLOV, count));
     measure(growth, block);
-    for (int k = 0; k < found; k++) g[place[k]] = growth_of(growth, block, k);
-#pragma omp atomic
-    growth->solved_in_full += found;
+    for (int k = 0; k < count; k++) g[place[k]] = growth_of(growth, block, k);
 done:
     pdmc_free(point);
     return status;
 }
 
-static pdmc_status evaluate_block(pdmc_growth *growth, int thread, int count, const double z[], double g[])
+// What is evaluated, block by block: all points, or in full those that are named.
+typedef struct {
+    pdmc_growth *growth;
+    int count;        // of points
+    const double *z;  // [points, variables]
+    double *g;        // [points]
+    bool *doubt;      // [points]
+    const int *place; // [count] of the points in doubt; NULL for all
+} evaluation;
+
+static pdmc_status evaluate_block(const evaluation *e, int thread, int first)
 {
-    bool doubt[B] = {false}, any = false;
-    pdmc_status status = solve_block(growth, growth->block[thread], count, z, g, doubt);
-    for (int s = 0; s < count; s++) any = any || doubt[s];
-    if (status == PDMC_OK && any) status = solve_in_full(growth, growth->full_block[thread], count, z, doubt, g);
+    pdmc_growth *growth = e->growth;
+    const int size = e->count - first < B ? e->count - first : B;
+    const size_t at = (size_t)first * (size_t)growth->variables->count;
+    if (e->place) return solve_in_full(growth, growth->full_block[thread], size, &e->place[first], e->z, e->g);
+    return solve_block(growth, growth->block[thread], size, &e->z[at], &e->g[first], &e->doubt[first]);
+}
+
+static pdmc_status evaluate_blocks(const evaluation *e)
+{
+    pdmc_status status = PDMC_OK;
+    char message[512] = "";
+    const pdmc_growth *growth = e->growth;
+#pragma omp parallel for schedule(dynamic) num_threads(pdmc_block_threads(growth->model, growth->options->threads))
+    for (int first = 0; first < e->count; first += B) {
+        const pdmc_status mine = evaluate_block(e, omp_get_thread_num(), first);
+        if (mine == PDMC_OK) continue;
+#pragma omp critical(pdmc_growth)
+        {
+            status = mine;
+            snprintf(message, sizeof message, "%s", pdmc_last_error());
+        }
+    }
+    return status == PDMC_OK ? PDMC_OK : pdmc_raise(status, "%s", message);
+}
+
+// The points in doubt are few, and are gathered into full blocks.
+static pdmc_status evaluate_doubts(evaluation *e)
+{
+    pdmc_status status = PDMC_OK;
+    int found = 0, *place = NULL;
+    PDMC_NEW(place, e->count);
+    for (int k = 0; k < e->count; k++)
+        if (e->doubt[k]) place[found++] = k;
+    e->place = place;
+    e->count = found;
+    e->growth->solved_in_full += found;
+    PDMC_TRY(evaluate_blocks(e));
+done:
+    pdmc_free(place);
     return status;
 }
 
@@ -125,28 +165,17 @@ static pdmc_status evaluate(void *context, int count, const double z[], double g
 {
     pdmc_growth *growth = context;
     const pdmc_run_options *options = growth->options;
-    const int blocks = (count + B - 1) / B, variables = growth->variables->count;
     const int samples = growth->results->sample_count;
     pdmc_status status = PDMC_OK;
-    char message[512] = "";
+    evaluation e = {.growth = growth, .count = count, .z = z, .g = g};
     if (options->progress && !options->progress(options->context, samples, samples))
         return pdmc_raise(PDMC_ERR_INTERRUPTED, "stopped during the search for rare growth");
-#pragma omp parallel num_threads(pdmc_block_threads(growth->model, options->threads))
-    {
-#pragma omp for schedule(dynamic)
-        for (int b = 0; b < blocks; b++) {
-            const int first = b * B, size = count - first < B ? count - first : B;
-            const pdmc_status mine =
-                evaluate_block(growth, omp_get_thread_num(), size, &z[(size_t)first * (size_t)variables], &g[first]);
-            if (mine == PDMC_OK) continue;
-#pragma omp critical(pdmc_growth)
-            {
-                status = mine;
-                snprintf(message, sizeof message, "%s", pdmc_last_error());
-            }
-        }
-    }
-    return status == PDMC_OK ? PDMC_OK : pdmc_raise(status, "%s", message);
+    PDMC_NEW(e.doubt, count);
+    PDMC_TRY(evaluate_blocks(&e));
+    PDMC_TRY(evaluate_doubts(&e));
+done:
+    pdmc_free(e.doubt);
+    return status;
 }
 
 pdmc_limit_state pdmc_growth_limit(pdmc_growth *growth)
