@@ -69,6 +69,9 @@ typedef struct {
     double energy_error[PDMC_MEASURES];  // largest bound of the relative error of a sample's largest energy
     double typical_error[PDMC_MEASURES]; // the median of those bounds
     double solved_in_full;               // samples whose energy was too near to G_c for the reduced model
+    double mean_error[PDMC_MEASURES];    // by which the reduced model may shift a mean in any direction, over that of the
+                                         // largest energy
+    double quantile_error[PDMC_MEASURES][PDMC_QUANTILES]; // the same of quantiles
 } pdmc_sample_accuracy;
 extern PDMC_API const pdmc_sample_accuracy pdmc_no_accuracy; // NaN throughout
 

@@ -47,6 +47,14 @@
           PDMC_DIM_BIN_AND_OUTSIDE),                                                                                   \
     ESTIMATES(group "/density", statistics[which].density, DENSITY, "probability density in each bin", PDMC_DIM_TIP,   \
               PDMC_DIM_ANGLE, PDMC_DIM_BIN)
+#define MODEL_ERROR(name, member, what)                                                                                \
+    NUMBER(ACCURACY name, REAL, accuracy.member, NONE,                                                                 \
+           "largest shift of the " what " in any direction by the reduced model, over the mean of the largest energy")
+#define MODEL_ERRORS(measure, which)                                                                                   \
+    MODEL_ERROR(measure "_mean_error", mean_error[which], "mean"),                                                     \
+    MODEL_ERROR(measure "_low_quantile_error", quantile_error[which][0], "5 % quantile"),                              \
+    MODEL_ERROR(measure "_median_error", quantile_error[which][1], "median"),                                          \
+    MODEL_ERROR(measure "_high_quantile_error", quantile_error[which][2], "95 % quantile")
 #define RELIABILITY "/reliability/"
 #define METHOD(path, kind, name, unit, text, width, ...)                                                               \
     {RELIABILITY "methods/" path, text, PDMC_KIND_##kind, PDMC_UNIT_##unit, MEMBER(reliability.records),               \
@@ -135,6 +143,8 @@ const pdmc_dataset pdmc_datasets[] = {
            "median of those bounds"),
     NUMBER(ACCURACY "solved_in_full", REAL, accuracy.solved_in_full, NONE,
            "samples whose energy was too near to G_c for the reduced model"),
+    MODEL_ERRORS("bond_energy", PDMC_MEASURE_BOND),
+    MODEL_ERRORS("griffith_energy", PDMC_MEASURE_GRIFFITH),
     REALS(GIVEN_REST, growth_given_rest, NONE, "probability of growth given all but the load, NaN where it is not known",
           PDMC_DIM_SAMPLE, PDMC_DIM_TIP),
     REALS(FRACTURE_ENERGY, sample_fracture_energy, ENERGY, "fracture energy G_c", PDMC_DIM_SAMPLE),

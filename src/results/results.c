@@ -6,7 +6,8 @@
 #include <string.h>
 
 const double pdmc_quantile_levels[PDMC_QUANTILES] = {0.05, 0.50, 0.95};
-const pdmc_sample_accuracy pdmc_no_accuracy = {NAN, NAN, {NAN, NAN}, {NAN, NAN}, NAN};
+const pdmc_sample_accuracy pdmc_no_accuracy = {
+    NAN, NAN, {NAN, NAN}, {NAN, NAN}, NAN, {NAN, NAN}, {{NAN, NAN, NAN}, {NAN, NAN, NAN}}};
 
 const char *const pdmc_measure_names[PDMC_MEASURES] = {
     [PDMC_MEASURE_BOND] = "bond_energy",

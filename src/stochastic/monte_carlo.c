@@ -5,6 +5,7 @@
 #include "stochastic/block.h"
 #include "stochastic/certify.h"
 #include "stochastic/counts.h"
+#include "stochastic/model_error.h"
 #include "stochastic/rare_event.h"
 #include "stochastic/reduced.h"
 
@@ -218,6 +219,8 @@ static pdmc_status summarise_accuracy(const run *r)
         gsl_sort(relative, 1, (size_t)count);
         accuracy->energy_error[m] = relative[count - 1];
         accuracy->typical_error[m] = gsl_stats_median_from_sorted_data(relative, 1, (size_t)count);
+        pdmc_model_error(r->results, (pdmc_measure)m, r->delta[m], relative, &accuracy->mean_error[m],
+                         accuracy->quantile_error[m]);
     }
 done:
     pdmc_free(relative);

@@ -132,6 +132,18 @@ static json_t *motion(const pdmc_results *r)
     return object;
 }
 
+static json_t *model_error(const pdmc_sample_accuracy *a, int measure)
+{
+    json_t *object = json_object();
+    pdmc_json_put(&object, "mean", pdmc_json_number(a->mean_error[measure]));
+    for (int q = 0; q < PDMC_QUANTILES; q++) {
+        char key[16];
+        snprintf(key, sizeof key, "%.2f", pdmc_quantile_levels[q]);
+        pdmc_json_put(&object, key, pdmc_json_number(a->quantile_error[measure][q]));
+    }
+    return object;
+}
+
 // null where the inverse has no such figure.
 static json_t *accuracy(const pdmc_sample_accuracy *a)
 {
@@ -144,6 +156,8 @@ static json_t *accuracy(const pdmc_sample_accuracy *a)
         pdmc_json_put(&object, key, pdmc_json_number(a->energy_error[m]));
         snprintf(key, sizeof key, "%s_typical_error", pdmc_measure_names[m]);
         pdmc_json_put(&object, key, pdmc_json_number(a->typical_error[m]));
+        snprintf(key, sizeof key, "%s_model_error", pdmc_measure_names[m]);
+        pdmc_json_put(&object, key, model_error(a, m));
     }
     pdmc_json_put(&object, "solved_in_full", pdmc_json_number(a->solved_in_full));
     return object;

@@ -170,6 +170,18 @@ static void print_memory(double bytes, FILE *stream)
     if (isfinite(bytes)) fprintf(stream, "memory   %.4g MB at most\n", bytes / 1e6);
 }
 
+/// Beside the sampling error of the intervals; older files do not have it.
+static void print_model_error(const pdmc_sample_accuracy *a, FILE *stream)
+{
+    if (isnan(a->mean_error[PDMC_MEASURE_GRIFFITH])) return;
+    fprintf(stream, "         model error beside the intervals, over the mean of the largest energy, at most:\n");
+    for (int m = 0; m < PDMC_MEASURES; m++)
+        fprintf(stream, "         %-8s  mean %.2g, 5 %% %.2g, 50 %% %.2g, 95 %% %.2g\n",
+                pdmc_measure_title((pdmc_measure)m), a->mean_error[m], a->quantile_error[m][0], a->quantile_error[m][1],
+                a->quantile_error[m][2]);
+    fprintf(stream, "         none in the share of G > G_c: samples that it could change are solved in full\n");
+}
+
 static void print_accuracy(const pdmc_sample_accuracy *a, FILE *stream)
 {
     if (isfinite(a->iteration_residual))
@@ -180,6 +192,7 @@ static void print_accuracy(const pdmc_sample_accuracy *a, FILE *stream)
                 "         %.2g bond (median %.2g), %.2g Griffith (%.2g); %.0f samples solved in full\n",
                 a->reduced_unknowns, a->energy_error[PDMC_MEASURE_BOND], a->typical_error[PDMC_MEASURE_BOND],
                 a->energy_error[PDMC_MEASURE_GRIFFITH], a->typical_error[PDMC_MEASURE_GRIFFITH], a->solved_in_full);
+    print_model_error(a, stream);
 }
 
 static void print_foot(const pdmc_results *r, FILE *stream)

@@ -172,6 +172,8 @@ static void an_older_file_without_memory_and_accuracy_is_read(void **state)
     H5Fclose(file);
     CHECK_OK(pdmc_results_read(path, &results));
     assert_true(isnan(results.accuracy.iteration_residual));
+    assert_true(isnan(results.accuracy.mean_error[PDMC_MEASURE_BOND]));
+    assert_true(isnan(results.accuracy.quantile_error[PDMC_MEASURE_GRIFFITH][PDMC_QUANTILES - 1]));
     assert_true(isnan(results.runtime.peak_memory));
     CHECK_NEAR(results.runtime.total, 6.7, 0.0);
     pdmc_results_clear(&results);

@@ -46,6 +46,46 @@ static void threads_change_nothing(void **state)
     }
 }
 
+// The mean of the largest energy, by which the model's errors are divided.
+static double mean_of_largest(const pdmc_results *r, int measure, int tip)
+{
+    double sum = 0.0;
+    for (int s = 0; s < r->sample_count; s++) sum += r->largest_energy[measure][s * r->tip_count + tip];
+    return sum / r->sample_count;
+}
+
+// A statistic of the two runs, in every direction: the largest difference, as a part of what it is said to be at most. The
+// iteration's own error is below a millionth of that.
+static double share_of_promise(const pdmc_results *full, const pdmc_results *reduced, int measure, int stride, int which,
+                               double promise)
+{
+    const pdmc_energy_statistics *a = &full->statistics[measure], *b = &reduced->statistics[measure];
+    const pdmc_estimate *first = which < 0 ? a->mean : &a->quantiles[which];
+    const pdmc_estimate *second = which < 0 ? b->mean : &b->quantiles[which];
+    double worst = 0.0;
+    for (int t = 0; t < full->tip_count; t++) {
+        const double most = promise * mean_of_largest(reduced, measure, t);
+        for (int d = t * full->angle_count; d < (t + 1) * full->angle_count; d++)
+            worst = fmax(worst, fabs(first[d * stride].value - second[d * stride].value) / most);
+    }
+    return worst;
+}
+
+static void check_statistics(const pdmc_results *full, const pdmc_results *reduced, int measure)
+{
+    const pdmc_sample_accuracy *accuracy = &reduced->accuracy;
+    const double mean = share_of_promise(full, reduced, measure, 1, -1, accuracy->mean_error[measure]);
+    print_message("  mean: said to be off by %.1e at most, %.2g of it\n", accuracy->mean_error[measure], mean);
+    assert_true(mean > 0.0 && mean <= 1.0);
+    assert_true(accuracy->mean_error[measure] <= accuracy->energy_error[measure]);
+    for (int q = 0; q < PDMC_QUANTILES; q++) {
+        const double promise = accuracy->quantile_error[measure][q];
+        const double share = share_of_promise(full, reduced, measure, PDMC_QUANTILES, q, promise);
+        print_message("  %g %% quantile: %.1e, %.2g of it\n", 100.0 * pdmc_quantile_levels[q], promise, share);
+        assert_true(share > 0.0 && share <= 1.0);
+    }
+}
+
 // Every sample of the reduced model is as near to that of the iteration as its bound says, and the probability is the same.
 static void the_reduced_model_keeps_its_promise(void **state)
 {
@@ -69,6 +109,7 @@ static void the_reduced_model_keeps_its_promise(void **state)
         print_message("%s: error at most %.1e, said to be %.1e at most, %.1e typically\n", pdmc_measure_names[m], worst,
                       reduced.accuracy.energy_error[m], reduced.accuracy.typical_error[m]);
         assert_true(worst <= reduced.accuracy.energy_error[m]);
+        check_statistics(&full, &reduced, m);
     }
     assert_true(reduced.accuracy.energy_error[PDMC_MEASURE_GRIFFITH] < 0.1); // the measure that decides
     assert_true(reduced.accuracy.solved_in_full > 0.0); // Griffith's energies near G_c

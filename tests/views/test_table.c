@@ -93,6 +93,27 @@ static void rare_growth_is_told_by_every_method(void **state)
     pdmc_results_clear(&results);
 }
 
+static void the_models_error_is_beside_the_intervals(void **state)
+{
+    (void)state;
+    pdmc_results results = made_up_results(made_up_small);
+    results.accuracy.reduced_unknowns = 30.0;
+    results.accuracy.mean_error[PDMC_MEASURE_BOND] = 0.02;
+    results.accuracy.mean_error[PDMC_MEASURE_GRIFFITH] = 0.003;
+    for (int q = 0; q < PDMC_QUANTILES; q++) {
+        results.accuracy.quantile_error[PDMC_MEASURE_BOND][q] = INFINITY;
+        results.accuracy.quantile_error[PDMC_MEASURE_GRIFFITH][q] = 0.004 + 0.001 * q;
+    }
+    EXPECT_PARTS(&results, "         bond      mean 0.02, 5 % inf, 50 % inf, 95 % inf\n",
+                 "         Griffith  mean 0.003, 5 % 0.004, 50 % 0.005, 95 % 0.006\n",
+                 "none in the share of G > G_c");
+    results.accuracy = pdmc_no_accuracy;
+    char *text = captured(pdmc_view_table, &results);
+    assert_null(strstr(text, "model error"));
+    free(text);
+    pdmc_results_clear(&results);
+}
+
 static void a_random_toughness_has_a_range(void **state)
 {
     (void)state;
@@ -222,6 +243,7 @@ int main(void)
         cmocka_unit_test(it_says_what_a_person_asks),
         cmocka_unit_test(it_fits_whatever_the_numbers),
         cmocka_unit_test(rare_growth_is_told_by_every_method),
+        cmocka_unit_test(the_models_error_is_beside_the_intervals),
         cmocka_unit_test(a_random_toughness_has_a_range),
         cmocka_unit_test(a_motion_ends_somewhere),
         cmocka_unit_test(odd_results_are_shown),
