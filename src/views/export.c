@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/base_impl.h"
 #include "results/whole_file.h"
+#include "views/density.h"
 #include "views/views_impl.h"
 
 #include <errno.h>
@@ -13,7 +14,7 @@ typedef struct {
     char energy[PDMC_UNIT_SIZE], density[PDMC_UNIT_SIZE], stress_intensity[PDMC_UNIT_SIZE], work[PDMC_UNIT_SIZE];
 } csv_units;
 
-typedef void csv_writer(const pdmc_results *r, const csv_units *units, FILE *stream);
+typedef pdmc_status csv_writer(const pdmc_results *r, const csv_units *units, FILE *stream);
 
 /// A field that may hold commas or quotes.
 static void put_text(FILE *stream, const char *text)
@@ -56,31 +57,55 @@ static void put_place(FILE *stream, const pdmc_results *r, int tip, int measure,
     put_number(stream, r->angles[angle]);
 }
 
-static void write_pdf_at(const pdmc_results *r, int t, int m, int k, FILE *stream)
+/// A row a bin, whose smooth density is that at its middle.
+static pdmc_status write_pdf_at(const pdmc_results *r, int t, int m, int k, FILE *stream)
 {
+    pdmc_status status = PDMC_OK;
     const size_t at = pdmc_place(r, t, k), bins = (size_t)r->histogram_bins;
     const pdmc_energy_statistics *s = &r->statistics[m];
+    const double *edges = &s->histogram_edges[at * (bins + 1)];
+    double *middle = NULL;
+    pdmc_estimate *smooth = NULL;
+    PDMC_NEW(middle, bins);
+    PDMC_NEW(smooth, bins);
+    for (size_t b = 0; b < bins; b++) middle[b] = 0.5 * (edges[b] + edges[b + 1]);
+    PDMC_TRY(pdmc_view_density(r, (pdmc_measure)m, at, bins, middle, smooth));
     for (size_t b = 0; b < bins; b++) {
         put_place(stream, r, t, m, k);
-        put_number(stream, s->histogram_edges[at * (bins + 1) + b]);
-        put_number(stream, s->histogram_edges[at * (bins + 1) + b + 1]);
+        put_number(stream, edges[b]);
+        put_number(stream, edges[b + 1]);
         put_estimate(stream, &s->density[at * bins + b]);
-        fprintf(stream, ",%lld\n", (long long)s->histogram_counts[at * (bins + 2) + b + 1]);
+        fprintf(stream, ",%lld", (long long)s->histogram_counts[at * (bins + 2) + b + 1]);
+        put_estimate(stream, &smooth[b]);
+        fputc('\n', stream);
     }
+
+done:
+    pdmc_free(middle);
+    pdmc_free(smooth);
+    return status;
 }
 
-static void write_pdf(const pdmc_results *r, const csv_units *units, FILE *stream)
+static pdmc_status write_pdf(const pdmc_results *r, const csv_units *units, FILE *stream)
 {
+    pdmc_status status = PDMC_OK;
     fputs("tip,measure,angle[rad]", stream);
     put_column(stream, "bin_lower", units->energy);
     put_column(stream, "bin_upper", units->energy);
     put_column(stream, "density", units->density);
     put_column(stream, "density_lower", units->density);
     put_column(stream, "density_upper", units->density);
-    fputs(",count\n", stream);
+    fputs(",count", stream);
+    put_column(stream, "smooth_density", units->density);
+    put_column(stream, "smooth_density_lower", units->density);
+    put_column(stream, "smooth_density_upper", units->density);
+    fputc('\n', stream);
     for (int t = 0; t < r->tip_count; t++)
         for (int m = 0; m < PDMC_MEASURES; m++)
-            for (int k = 0; k < r->angle_count; k++) write_pdf_at(r, t, m, k, stream);
+            for (int k = 0; k < r->angle_count; k++) PDMC_TRY(write_pdf_at(r, t, m, k, stream));
+
+done:
+    return status;
 }
 
 static void write_statistic(const pdmc_results *r, int t, int m, int k, const char *name, const pdmc_estimate *e,
@@ -105,7 +130,7 @@ static void write_statistics_at(const pdmc_results *r, int t, int m, int k, FILE
     }
 }
 
-static void write_quantiles(const pdmc_results *r, const csv_units *units, FILE *stream)
+static pdmc_status write_quantiles(const pdmc_results *r, const csv_units *units, FILE *stream)
 {
     fputs("tip,measure,angle[rad],statistic", stream);
     put_column(stream, "value", units->energy);
@@ -115,9 +140,10 @@ static void write_quantiles(const pdmc_results *r, const csv_units *units, FILE 
     for (int t = 0; t < r->tip_count; t++)
         for (int m = 0; m < PDMC_MEASURES; m++)
             for (int k = 0; k < r->angle_count; k++) write_statistics_at(r, t, m, k, stream);
+    return PDMC_OK;
 }
 
-static void write_direction(const pdmc_results *r, const csv_units *units, FILE *stream)
+static pdmc_status write_direction(const pdmc_results *r, const csv_units *units, FILE *stream)
 {
     (void)units;
     fputs("tip,measure,angle[rad],probability,lower,upper\n", stream);
@@ -127,6 +153,7 @@ static void write_direction(const pdmc_results *r, const csv_units *units, FILE 
             put_estimate(stream, &r->direction[pdmc_place(r, t, k)]);
             fputc('\n', stream);
         }
+    return PDMC_OK;
 }
 
 static void write_samples_header(const pdmc_results *r, const csv_units *units, FILE *stream)
@@ -149,7 +176,7 @@ static void write_samples_header(const pdmc_results *r, const csv_units *units, 
     fputc('\n', stream);
 }
 
-static void write_samples(const pdmc_results *r, const csv_units *units, FILE *stream)
+static pdmc_status write_samples(const pdmc_results *r, const csv_units *units, FILE *stream)
 {
     static const char *const failures[] = {
         [PDMC_SAMPLE_OK] = "none",
@@ -172,9 +199,10 @@ static void write_samples(const pdmc_results *r, const csv_units *units, FILE *s
         }
         fputc('\n', stream);
     }
+    return PDMC_OK;
 }
 
-static void write_energy_samples(const pdmc_results *r, const csv_units *units, FILE *stream)
+static pdmc_status write_energy_samples(const pdmc_results *r, const csv_units *units, FILE *stream)
 {
     fputs("sample,tip,angle[rad]", stream);
     for (int m = 0; m < PDMC_MEASURES; m++) put_column(stream, pdmc_measure_names[m], units->energy);
@@ -189,10 +217,11 @@ static void write_energy_samples(const pdmc_results *r, const csv_units *units, 
                 for (int m = 0; m < PDMC_MEASURES; m++) put_number(stream, r->energy[m][at]);
                 fputc('\n', stream);
             }
+    return PDMC_OK;
 }
 
 // The displacement at the mean, on both faces of every crack.
-static void write_faces(const pdmc_results *r, const csv_units *units, FILE *stream)
+static pdmc_status write_faces(const pdmc_results *r, const csv_units *units, FILE *stream)
 {
     static const char *const columns[] = {"x", "y", "left_x", "left_y", "right_x", "right_y"};
     (void)units;
@@ -206,6 +235,7 @@ static void write_faces(const pdmc_results *r, const csv_units *units, FILE *str
         for (size_t k = 0; k < 4; k++) put_number(stream, r->field.face_displacement[4 * at + k]);
         fputc('\n', stream);
     }
+    return PDMC_OK;
 }
 
 static void write_motion_header(const pdmc_results *r, const csv_units *units, FILE *stream)
@@ -224,7 +254,7 @@ static void write_motion_header(const pdmc_results *r, const csv_units *units, F
     fputc('\n', stream);
 }
 
-static void write_motion(const pdmc_results *r, const csv_units *units, FILE *stream)
+static pdmc_status write_motion(const pdmc_results *r, const csv_units *units, FILE *stream)
 {
     const pdmc_motion_record *m = &r->motion;
     write_motion_header(r, units, stream);
@@ -239,6 +269,7 @@ static void write_motion(const pdmc_results *r, const csv_units *units, FILE *st
             for (int k = 0; k < 2; k++) put_number(stream, pdmc_probe_displacement(m, i, p)[k]);
         fputc('\n', stream);
     }
+    return PDMC_OK;
 }
 
 /// Writes through a stream of its own, since the descriptor belongs to the file.
@@ -252,10 +283,10 @@ static pdmc_status write_stream(pdmc_whole_file *file, const pdmc_results *r, co
         return pdmc_raise_errno(file->path, error);
     }
     errno = 0;
-    write(r, units, stream);
+    const pdmc_status status = write(r, units, stream);
     const bool failed = ferror(stream) != 0;
     if (fclose(stream) != 0 || failed) return pdmc_raise_errno(file->path, errno ? errno : EIO);
-    return PDMC_OK;
+    return status;
 }
 
 static pdmc_status export_file(const pdmc_results *r, const csv_units *units, const char *folder, const char *name,

@@ -13,10 +13,10 @@ typedef enum {
     OF_PLATE
 } subject;
 
-static void draw(const pdmc_results *r, subject of, int tip, pdmc_measure measure, const pdmc_figure *figure)
+static pdmc_status draw(const pdmc_results *r, subject of, int tip, pdmc_measure measure, const pdmc_figure *figure)
 {
     switch (of) {
-    case OF_DENSITY: pdmc_draw_density(r, tip, measure, figure); break;
+    case OF_DENSITY: return pdmc_draw_density(r, tip, measure, figure);
     case OF_QUANTILES: pdmc_draw_quantiles(r, tip, measure, figure); break;
     case OF_DIRECTION: pdmc_draw_direction(r, tip, figure); break;
     case OF_MICROMODULUS: pdmc_draw_micromodulus(r, figure); break;
@@ -24,6 +24,7 @@ static void draw(const pdmc_results *r, subject of, int tip, pdmc_measure measur
     case OF_DISPLACEMENTS: pdmc_draw_motion_displacements(r, figure); break;
     case OF_PLATE: pdmc_draw_plate(r, figure); break;
     }
+    return PDMC_OK;
 }
 
 static pdmc_status plot(const pdmc_results *r, const char *folder, const char *stem, subject of, int tip,
@@ -32,7 +33,7 @@ static pdmc_status plot(const pdmc_results *r, const char *folder, const char *s
     pdmc_status status = PDMC_OK;
     pdmc_figure figure;
     PDMC_TRY(pdmc_figure_open(folder, stem, &figure));
-    draw(r, of, tip, measure, &figure);
+    PDMC_TRY(draw(r, of, tip, measure, &figure));
     PDMC_TRY(pdmc_figure_draw(&figure));
 
 done:

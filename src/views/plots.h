@@ -5,8 +5,9 @@
 
 #include "views/figure.h"
 
-/// Probability densities of an energy straight ahead of a tip and 45 degrees off.
-void pdmc_draw_density(const pdmc_results *r, int tip, pdmc_measure measure, const pdmc_figure *figure);
+/// Probability densities of an energy straight ahead of a tip and 45 degrees off: those of the bins, of all samples, and
+/// smooth ones, of the samples that are kept.
+pdmc_status pdmc_draw_density(const pdmc_results *r, int tip, pdmc_measure measure, const pdmc_figure *figure);
 
 /// The data block $density<block>: energy, density and its bounds, as steps from edge to edge, two points a bin, and
 /// down to zero at both ends.

@@ -2,9 +2,12 @@
 #include "pdmc/views.h"
 
 #include "check.h"
+#include "pdmc/statistics.h"
 #include "results/made_up.h"
 #include "results/scratch.h"
 
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_sort.h>
 #include <sys/stat.h>
 
 static char *exported(const char *name)
@@ -39,10 +42,11 @@ static void every_number_has_its_row(void **state)
     (void)state;
     pdmc_results r = made_up_results(made_up_small);
     CHECK_OK(pdmc_view_export(&r, scratch_path("csv")));
-    check_table("pdf.csv",
-                "tip,measure,angle[rad],bin_lower[N/cm],bin_upper[N/cm],density[cm/N],density_lower[cm/N],"
-                "density_upper[cm/N],count\n",
-                2 * 2 * 8 * 6);
+    check_table(
+        "pdf.csv",
+        "tip,measure,angle[rad],bin_lower[N/cm],bin_upper[N/cm],density[cm/N],density_lower[cm/N],"
+        "density_upper[cm/N],count,smooth_density[cm/N],smooth_density_lower[cm/N],smooth_density_upper[cm/N]\n",
+        2 * 2 * 8 * 6);
     check_table("quantiles.csv", "tip,measure,angle[rad],statistic,value[N/cm],lower[N/cm],upper[N/cm]\n",
                 2 * 2 * 8 * 5);
     check_table("direction.csv", "tip,measure,angle[rad],probability,lower,upper\n", 2 * 8);
@@ -76,6 +80,51 @@ static void energies_are_of_the_samples_that_are_kept(void **state)
     snprintf(number, sizeof number, ",%.17g\n", r.largest_energy[PDMC_MEASURE_GRIFFITH][2 * 39 + 1]);
     assert_non_null(strstr(samples, number)); // of the last sample, which is not kept
     free(samples);
+    pdmc_results_clear(&r);
+    scratch_empty(scratch_path("csv"));
+    scratch_empty(scratch);
+}
+
+/// The sum of the kernels, one for each sample that is kept and one for its image in 0.
+static double summed_kernels(const pdmc_results *r, double at)
+{
+    const int stride = r->tip_count * r->angle_count;
+    double x[64], sum = 0.0;
+    size_t count = 0;
+    for (int s = 0; s < r->kept_count; s++)
+        if (r->failure[s] == PDMC_SAMPLE_OK) x[count++] = r->energy[PDMC_MEASURE_BOND][s * stride];
+    gsl_sort(x, 1, count);
+    const double h = pdmc_statistics_bandwidth(count, x);
+    for (size_t i = 0; i < count; i++) sum += gsl_ran_gaussian_pdf(at - x[i], h) + gsl_ran_gaussian_pdf(at + x[i], h);
+    return sum / (double)count;
+}
+
+// Samples that lie together are one to the kernel, which costs 2e-3 of the density at most: measured 1e-4.
+static void smooth_densities_are_of_the_samples_that_are_kept(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_results(made_up_small);
+    for (int kept = 20; kept <= 40; kept += 20) {
+        r.kept_count = kept;
+        CHECK_OK(pdmc_view_export(&r, scratch_path("csv")));
+        char *text = exported("pdf.csv"), *row = strchr(text, '\n') + 1;
+        for (int b = 0; b < r.histogram_bins; b++, row = strchr(row, '\n') + 1) {
+            double edge[2], smooth[3];
+            const int fields = sscanf(row, "center.from,bond_energy,%*f,%lf,%lf,%*f,%*f,%*f,%*d,%lf,%lf,%lf", &edge[0],
+                                      &edge[1], &smooth[0], &smooth[1], &smooth[2]);
+            assert_int_equal(fields, 5);
+            const double expected = summed_kernels(&r, 0.5 * (edge[0] + edge[1]));
+            CHECK_NEAR(smooth[0], expected, 2e-3 * expected);
+            assert_true(smooth[1] < smooth[0] && smooth[0] < smooth[2]);
+        }
+        assert_null(strstr(text, ",nan,nan,nan\n"));
+        free(text);
+    }
+    r.kept_count = r.failed_count; // none that has an energy
+    CHECK_OK(pdmc_view_export(&r, scratch_path("csv")));
+    char *text = exported("pdf.csv");
+    assert_non_null(strstr(text, ",nan,nan,nan\n"));
+    free(text);
     pdmc_results_clear(&r);
     scratch_empty(scratch_path("csv"));
     scratch_empty(scratch);
@@ -167,10 +216,14 @@ static void a_bad_folder_is_named(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_number_has_its_row),         cmocka_unit_test(numbers_survive_exactly),
-        cmocka_unit_test(commas_and_quotes_are_quoted),     cmocka_unit_test(too_many_energies_are_left_to_the_file),
-        cmocka_unit_test(odd_results_are_exported),         cmocka_unit_test(a_bad_folder_is_named),
+        cmocka_unit_test(every_number_has_its_row),
+        cmocka_unit_test(numbers_survive_exactly),
+        cmocka_unit_test(commas_and_quotes_are_quoted),
+        cmocka_unit_test(too_many_energies_are_left_to_the_file),
+        cmocka_unit_test(odd_results_are_exported),
+        cmocka_unit_test(a_bad_folder_is_named),
         cmocka_unit_test(energies_are_of_the_samples_that_are_kept),
+        cmocka_unit_test(smooth_densities_are_of_the_samples_that_are_kept),
         cmocka_unit_test(a_motion_has_a_row_for_each_time),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
