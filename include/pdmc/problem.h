@@ -159,9 +159,16 @@ typedef struct {
 
 typedef enum { PDMC_INVERSE_DIRECT, PDMC_INVERSE_NEUMANN, PDMC_INVERSE_KRYLOV, PDMC_INVERSE_REDUCED } pdmc_inverse;
 
+/// What must be known well before sampling stops: nothing, or at every tip the mean or the 95 % quantile of the energy in
+/// the direction where the mean plate has its largest, or P(G > G_c).
+typedef enum { PDMC_TARGET_NONE, PDMC_TARGET_MEAN, PDMC_TARGET_QUANTILE, PDMC_TARGET_PROBABILITY } pdmc_target;
+
 typedef struct {
     uint64_t seed;
-    int samples;
+    int samples; // at least, where there is a target
+    pdmc_target target;
+    double relative_error; // of the target: half the width of its interval over its value
+    int most_samples;      // at which sampling stops without it
     int keep; // of so many of the first independent samples, c(r) and all energies are kept
     pdmc_design_kind design;
     int replicates; // of a design that is not plain Monte Carlo

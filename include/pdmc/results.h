@@ -9,7 +9,11 @@
 typedef enum {
     PDMC_RUN_COMPLETE,
     PDMC_RUN_INTERRUPTED,
+    PDMC_RUN_TARGET_MET, // complete, with the precision that was asked for
+    PDMC_RUN_SAMPLE_CAP, // complete, but the most samples allowed did not reach it
 } pdmc_run_status;
+enum { PDMC_RUN_STATUSES = 4 };
+PDMC_API extern const char *const pdmc_run_status_names[PDMC_RUN_STATUSES]; // "complete", "interrupted", ...
 
 /// Why a sample has no result. Failed samples are counted and listed, never dropped.
 typedef enum {

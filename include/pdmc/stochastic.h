@@ -6,12 +6,23 @@
 #include "pdmc/affine.h"
 #include "pdmc/results.h"
 
+/// How well a study's target is known after a round of samples.
+typedef struct {
+    pdmc_target target;
+    int samples;           // so far
+    const char *tip;       // at which it is known worst; the results own it
+    double error, wanted;  // half the width of its interval over its value, infinite where that is 0; and what is asked for
+    double needed;         // the samples in all that would do, samples (error / wanted)^2
+} pdmc_round;
+
 /// How a run is steered from outside.
 typedef struct {
     int threads; // >= 1; no result depends on it
     /// Called, never by two threads at once, when samples are done; NULL is allowed. False asks for an early stop: the
     /// blocks under way are finished, and the results hold the samples up to the first that is missing.
     bool (*progress)(void *context, int done, int total);
+    /// Called after every round of a study with a target; NULL is allowed.
+    void (*round)(void *context, const pdmc_round *round);
     void *context;
 } pdmc_run_options;
 
@@ -32,6 +43,9 @@ PDMC_API void pdmc_sample_counts_destroy(pdmc_sample_counts **counts);
 ///  - the sample's own factorisation.
 /// A sample that cannot be solved is marked in results->failure and has NaN for results. Rare growth, where the problem
 /// asks for it, comes after the samples, in results->reliability.
+///
+/// With a target, samples are drawn in rounds until it is known at every tip, or until the most that are allowed: the results
+/// are those of a study of so many samples, and their status says which of the two it was.
 /// @param[in]     model    of the problem
 /// @param[in,out] results  the problem's tips, angles, measure, bonds and bins are set; the sample arrays are made and filled,
 ///                         as are the nominal energies, the status and the times of sampling and energy

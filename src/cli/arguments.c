@@ -40,8 +40,9 @@ const char usage[] =
     "\n"
     "A run that is interrupted (Ctrl-C, SIGTERM, SIGHUP) finishes the samples under way and saves what it has.\n"
     "\n"
-    "Exit codes: 0 done, 64 usage, 65 bad data, 66 no input, 70 internal error, 73 cannot create the output,\n"
-    "74 input or output failed, 75 stopped early with everything saved, 78 bad study file.\n";
+    "Exit codes: 0 done, 3 stopped at sampling.most_samples without the precision asked for, 64 usage,\n"
+    "65 bad data, 66 no input, 70 internal error, 73 cannot create the output, 74 input or output failed,\n"
+    "75 stopped early with everything saved, 78 bad study file.\n";
 
 static const struct option long_options[] = {
     {"output", required_argument, NULL, 'o'}, {"threads", required_argument, NULL, 't'},

@@ -7,5 +7,9 @@
 /// create, 74 input or output, 75 stopped early with everything saved, 78 bad study file.
 int exit_code(pdmc_status status);
 
+/// Of a study that stopped at its most samples without the precision that it asks for; everything is saved. No number of
+/// <sysexits.h> means that.
+enum { EXIT_SAMPLE_CAP = 3 };
+
 /// Prints "pdmc: " and the last error to standard error and returns its exit code.
 int fail(pdmc_status status);

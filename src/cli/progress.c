@@ -2,6 +2,7 @@
 #include "cli/progress.h"
 
 #include <errno.h>
+#include <math.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -80,6 +81,22 @@ bool progress_show(void *context, int done, int total)
     if (!state->quiet && (state->live || tenth > state->tenth)) draw(state, done, total);
     state->tenth = tenth;
     return atomic_load(&interrupts) == 0;
+}
+
+void progress_round(void *context, const pdmc_round *round)
+{
+    static const char *const targets[] = {[PDMC_TARGET_MEAN] = "the mean", [PDMC_TARGET_QUANTILE] = "the 95 % quantile",
+                                          [PDMC_TARGET_PROBABILITY] = "P(G > G_c)"};
+    progress *state = context;
+    if (state->quiet) return;
+    progress_end(state);
+    fprintf(stderr, "%d samples: %s at %s is ", round->samples, targets[round->target], round->tip);
+    if (isinf(round->error)) fputs("not known at all", stderr);
+    else fprintf(stderr, "known to %.3g %%", 100.0 * round->error);
+    fprintf(stderr, ", %.3g %% wanted", 100.0 * round->wanted);
+    if (round->error > round->wanted && !isinf(round->error))
+        fprintf(stderr, ", about %.0f more needed", round->needed - round->samples);
+    fputc('\n', stderr);
 }
 
 void progress_end(progress *state)

@@ -69,6 +69,7 @@ static int write_results(const arguments *given, const pdmc_results *results, co
     const pdmc_status status = pdmc_results_write(results, path, given->force);
     if (status != PDMC_OK) return fail(status);
     if (!given->quiet) print_results(results, path);
+    if (results->status == PDMC_RUN_SAMPLE_CAP) return EXIT_SAMPLE_CAP;
     if (results->status != PDMC_RUN_INTERRUPTED) return EX_OK;
     tell_interruption(results, path);
     return EX_TEMPFAIL;
@@ -87,7 +88,8 @@ static int run_study(const arguments *given, const pdmc_study *study, const char
 {
     progress state;
     pdmc_results results = {0};
-    const pdmc_run_options options = {.threads = thread_count(given), .progress = progress_show, .context = &state};
+    const pdmc_run_options options = {
+        .threads = thread_count(given), .progress = progress_show, .round = progress_round, .context = &state};
     const pdmc_cost cost = pdmc_run_cost(&study->problem, options.threads);
     if (!given->quiet) warn_of_memory(&cost);
     progress_start(given->quiet, counted(study->problem.kind), &state);

@@ -226,7 +226,9 @@ const pdmc_dataset pdmc_datasets[] = {
 };
 const size_t pdmc_dataset_count = COUNT(pdmc_datasets);
 
-static const char *const run_statuses[] = {[PDMC_RUN_COMPLETE] = "complete", [PDMC_RUN_INTERRUPTED] = "interrupted"};
+const char *const pdmc_run_status_names[] = {
+    [PDMC_RUN_COMPLETE] = "complete", [PDMC_RUN_INTERRUPTED] = "interrupted",
+    [PDMC_RUN_TARGET_MET] = "target_met", [PDMC_RUN_SAMPLE_CAP] = "sample_cap"};
 static const char *const kind_names[] = {[PDMC_STATIC] = "static", [PDMC_DYNAMIC] = "dynamic"};
 static const char *const bond_names[] = {[PDMC_BONDS_ALL] = "all", [PDMC_BONDS_TENSILE] = "tensile"};
 
@@ -247,7 +249,7 @@ const pdmc_attribute pdmc_attributes[] = {
     ATTRIBUTE("/", REAL, "confidence", confidence),
     ATTRIBUTE("/", INT, "threads", runtime.threads),
     ATTRIBUTE("/samples", INT, "failed_count", failed_count),
-    CHOICE("/", status, run_statuses),
+    CHOICE("/", status, pdmc_run_status_names),
     CHOICE("/plate", measure, pdmc_measure_names),
     CHOICE("/plate", bonds, bond_names),
 };

@@ -8,6 +8,7 @@
 #include "stochastic/model_error.h"
 #include "stochastic/rare_event.h"
 #include "stochastic/reduced.h"
+#include "stochastic/stop_rule.h"
 
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics.h>
@@ -18,16 +19,18 @@
 
 // Shared by the threads of a run.
 typedef struct {
-    const pdmc_problem *problem;
+    pdmc_problem *problem; // its samples are those of the round
     const pdmc_variables *variables;
-    const pdmc_affine *model; // that the samples are solved by
+    const pdmc_affine *model, *full; // that the samples are solved by, and what it stands for
     const pdmc_run_options *options;
     pdmc_results *results;
     int workers;                  // threads that blocks are shared out to
     pdmc_block **block;           // [workers]
     pdmc_energy_forms *forms;     // of the model, or NULL
     pdmc_sample_counts **counts;  // [workers], or NULL where all samples are kept
-    int blocks, given, done;      // blocks in all, blocks given out, samples done
+    int most, most_kept;          // samples of the last round, at most, and those of them that are kept
+    int blocks, given, done;      // blocks of the round, blocks given out, samples done
+    int settled, solved_in_full;  // samples whose doubts are settled, and how many had one
     int together;                 // blocks that are given out at once
     double *residual;             // [samples] of the iteration
     double *delta[PDMC_MEASURES]; // [samples] what an energy's root may be off by in the reduced model
@@ -90,8 +93,8 @@ static bool take_blocks(run *r, int *first, int *end)
 #pragma omp critical(pdmc_report)
     if (!r->stop && r->given < r->blocks) {
         *first = r->given;
-        *end = r->given += r->together;
-        if (*end > r->blocks) *end = r->blocks;
+        *end = r->given + r->together < r->blocks ? r->given + r->together : r->blocks;
+        r->given = *end;
         found = true;
     }
     return found;
@@ -122,13 +125,12 @@ static void work(run *r, int worker)
     }
 }
 
+// Room for the last round; pages that no sample is written to take no memory.
 static pdmc_status allocate_samples(const pdmc_problem *problem, pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
     const size_t samples = (size_t)problem->sampling.samples, kept = (size_t)pdmc_problem_kept(problem);
     const size_t tips = (size_t)results->tip_count, directions = tips * (size_t)results->angle_count;
-    results->sample_count = problem->sampling.samples;
-    results->kept_count = (int)kept;
     PDMC_NEW(results->load_factor, samples);
     PDMC_NEW(results->micromodulus, kept * (size_t)results->bin_count);
     PDMC_NEW(results->effective_modulus, samples);
@@ -159,14 +161,25 @@ static void cut_to_done(const run *r)
     results->status = PDMC_RUN_INTERRUPTED;
 }
 
+// One by one: a tally's bits depend on which samples it takes together, and in rounds there are fewer doubts at a time.
+static pdmc_status count_each(const run *r, const pdmc_block *block, int count)
+{
+    pdmc_status status = PDMC_OK;
+    for (int s = 0; s < count && r->counts && status == PDMC_OK; s++) {
+        bool only[PDMC_BLOCK] = {false};
+        only[s] = true;
+        pdmc_sample_counts_add(r->counts[0], block, count, only);
+        status = pdmc_sample_counts_flush(r->counts[0]);
+    }
+    return status;
+}
+
 // Solves the listed samples by conjugate gradients on the full model, a block after the other.
-static pdmc_status solve_in_full(const run *r, const pdmc_affine *full, int count, const int sample[])
+static pdmc_status solve_in_full(const run *r, int count, const int sample[])
 {
     pdmc_status status = PDMC_OK;
     pdmc_block *block = NULL;
-    bool all[PDMC_BLOCK];
-    for (int s = 0; s < PDMC_BLOCK; s++) all[s] = true;
-    PDMC_TRY(pdmc_block_create(r->variables, full, &block));
+    PDMC_TRY(pdmc_block_create(r->variables, r->full, &block));
     for (int first = 0; first < count; first += PDMC_BLOCK) {
         const int size = count - first < PDMC_BLOCK ? count - first : PDMC_BLOCK;
         PDMC_TRY(pdmc_block_draw_samples(block, &sample[first], size));
@@ -176,8 +189,7 @@ static pdmc_status solve_in_full(const run *r, const pdmc_affine *full, int coun
         pdmc_block_griffith(block, r->results);
         pdmc_block_store(block, size, r->results);
         note_accuracy(r, block, size);
-        if (r->counts) pdmc_sample_counts_add(r->counts[0], block, size, all);
-        if (r->counts) PDMC_TRY(pdmc_sample_counts_flush(r->counts[0]));
+        PDMC_TRY(count_each(r, block, size));
         for (int s = 0; s < size; s++)
             for (int m = 0; m < PDMC_MEASURES; m++) r->delta[m][sample[first + s]] = 0.0;
     }
@@ -188,15 +200,17 @@ done:
     return status;
 }
 
-static pdmc_status settle_doubts(const run *r, const pdmc_affine *full)
+static pdmc_status settle_doubts(run *r)
 {
     pdmc_status status = PDMC_OK;
     int count = 0, *sample = NULL;
     PDMC_NEW(sample, r->results->sample_count);
-    for (int s = 0; s < r->results->sample_count; s++)
+    for (int s = r->settled; s < r->results->sample_count; s++)
         if (!is_settled(r, s)) sample[count++] = s;
-    PDMC_TRY(solve_in_full(r, full, count, sample));
-    r->results->accuracy.solved_in_full = count;
+    PDMC_TRY(solve_in_full(r, count, sample));
+    r->settled = r->results->sample_count;
+    r->solved_in_full += count;
+    r->results->accuracy.solved_in_full = r->solved_in_full;
 done:
     pdmc_free(sample);
     return status;
@@ -231,10 +245,10 @@ done:
 static int blocks_together(const run *r)
 {
     const bool is_quick = r->problem->sampling.inverse == PDMC_INVERSE_NEUMANN && !r->model->family;
-    return r->results->kept_count < r->results->sample_count && is_quick ? PDMC_COUNTED_BLOCKS : 1;
+    return r->counts && is_quick ? PDMC_COUNTED_BLOCKS : 1;
 }
 
-// The nominal energies, and what each worker has.
+// The nominal energies, and what each worker has; what is counted, where the last round may have more samples than are kept.
 static pdmc_status employ(run *r)
 {
     pdmc_status status = PDMC_OK;
@@ -244,7 +258,7 @@ static pdmc_status employ(run *r)
     for (int w = 1; w < r->workers; w++) PDMC_TRY(pdmc_block_create(r->variables, r->model, &r->block[w]));
     for (int w = 0; w < r->workers; w++) PDMC_TRY(pdmc_block_use_forms(r->block[w], r->forms));
     PDMC_TRY(pdmc_block_nominal(r->block[0], r->results));
-    if (r->results->kept_count == r->results->sample_count) goto done;
+    if (r->most_kept == r->most) goto done;
     PDMC_NEW(r->counts, r->workers);
     for (int w = 0; w < r->workers; w++) PDMC_TRY(pdmc_sample_counts_create(r->results, &r->counts[w]));
 done:
@@ -264,26 +278,83 @@ static void dismiss(run *r)
     for (int m = 0; m < PDMC_MEASURES; m++) pdmc_free(r->delta[m]);
 }
 
-// Draws and solves all samples by one model.
-static pdmc_status run_all(run *r)
+// Into those of the first worker; the others begin anew.
+static pdmc_status merge_counts(const run *r)
 {
     pdmc_status status = PDMC_OK;
-    pdmc_runtime *runtime = &r->results->runtime;
-    PDMC_NEW(r->residual, r->results->sample_count);
-    for (int m = 0; m < PDMC_MEASURES && r->problem->sampling.inverse == PDMC_INVERSE_REDUCED; m++)
-        PDMC_NEW(r->delta[m], r->results->sample_count);
-    r->blocks = (r->results->sample_count + PDMC_BLOCK - 1) / PDMC_BLOCK;
-    r->together = blocks_together(r);
-    PDMC_TRY(employ(r));
+    for (int w = 1; w < r->workers && r->counts; w++) {
+        PDMC_TRY(pdmc_sample_counts_merge(r->counts[0], r->counts[w]));
+        pdmc_sample_counts_destroy(&r->counts[w]);
+        PDMC_TRY(pdmc_sample_counts_create(r->results, &r->counts[w]));
+    }
+done:
+    return status;
+}
+
+// Where all samples are kept in the end, their statistics are those of a study that never counted.
+static const pdmc_sample_counts *needed_counts(const run *r)
+{
+    return r->counts && r->results->kept_count < r->results->sample_count ? r->counts[0] : NULL;
+}
+
+// Draws and solves the samples from those that are done up to a number, of which the blocks before are whole.
+static pdmc_status run_round(run *r, int samples)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_results *results = r->results;
+    r->problem->sampling.samples = results->sample_count = samples;
+    results->kept_count = pdmc_problem_kept(r->problem);
+    r->blocks = (samples + PDMC_BLOCK - 1) / PDMC_BLOCK;
 #pragma omp parallel num_threads(r->workers)
     work(r, omp_get_thread_num());
     if (r->status != PDMC_OK) PDMC_FAIL(r->status, "%s", r->message);
     cut_to_done(r);
+    PDMC_TRY(merge_counts(r));
+    if (r->problem->sampling.inverse == PDMC_INVERSE_REDUCED) PDMC_TRY(settle_doubts(r));
+    results->failed_count = 0;
+    for (int s = 0; s < results->sample_count; s++) results->failed_count += results->failure[s] != PDMC_SAMPLE_OK;
+done:
+    return status;
+}
+
+// Whether the target is known, or will not be; otherwise the samples of the next round.
+static pdmc_status judge_round(const run *r, bool *goes_on, int *samples)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_round found;
+    *goes_on = false;
+    if (r->problem->sampling.target == PDMC_TARGET_NONE || r->results->status == PDMC_RUN_INTERRUPTED) goto done;
+    PDMC_TRY(pdmc_stop_rule_judge(r->problem, needed_counts(r), r->results, &found));
+    if (r->options->round) r->options->round(r->options->context, &found);
+    *goes_on = found.error > found.wanted && found.samples < r->most && !r->stop;
+    if (found.error <= found.wanted) r->results->status = PDMC_RUN_TARGET_MET;
+    else if (found.samples == r->most) r->results->status = PDMC_RUN_SAMPLE_CAP;
+    else if (r->stop) r->results->status = PDMC_RUN_INTERRUPTED;
+    if (*goes_on) *samples = pdmc_stop_rule_next(r->problem, r->together * PDMC_BLOCK, &found);
+done:
+    return status;
+}
+
+// Draws and solves all samples by one model; with a target, in rounds.
+static pdmc_status run_all(run *r)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_runtime *runtime = &r->results->runtime;
+    bool goes_on = true;
+    PDMC_NEW(r->residual, r->most);
+    for (int m = 0; m < PDMC_MEASURES && r->problem->sampling.inverse == PDMC_INVERSE_REDUCED; m++)
+        PDMC_NEW(r->delta[m], r->most);
+    PDMC_TRY(employ(r));
+    r->together = blocks_together(r);
+    int samples = pdmc_stop_rule_first(r->problem, r->together * PDMC_BLOCK);
+    while (goes_on) {
+        PDMC_TRY(run_round(r, samples));
+        PDMC_TRY(judge_round(r, &goes_on, &samples));
+    }
     for (int w = 0; w < r->workers; w++) {
         runtime->sampling += r->block[w]->solve_seconds / r->options->threads;
         runtime->energy += r->block[w]->energy_seconds / r->options->threads;
     }
-    for (int w = 1; w < r->workers && r->counts; w++) PDMC_TRY(pdmc_sample_counts_merge(r->counts[0], r->counts[w]));
 done:
     return status;
 }
@@ -320,23 +391,27 @@ pdmc_status pdmc_monte_carlo(const pdmc_problem *problem, const pdmc_affine *mod
     const bool is_reduced = problem->sampling.inverse == PDMC_INVERSE_REDUCED;
     pdmc_affine reduced = {0};
     pdmc_variables variables = {0};
-    run r = {.problem = problem,
+    pdmc_problem asked = *problem;
+    run r = {.problem = &asked,
              .variables = &variables,
              .model = is_reduced ? &reduced : model,
+             .full = model,
+             .most = pdmc_stop_rule_most(problem),
              .options = options,
              .results = results,
              .workers = pdmc_block_threads(model, options->threads)};
     results->accuracy = pdmc_no_accuracy;
     pdmc_blas_prepare();
-    PDMC_TRY(pdmc_variables_create(problem, model, &variables));
-    PDMC_TRY(allocate_samples(problem, results));
+    asked.sampling.samples = r.most;
+    PDMC_TRY(pdmc_variables_create(&asked, model, &variables));
+    PDMC_TRY(allocate_samples(&asked, results));
+    r.most_kept = pdmc_problem_kept(&asked);
+    asked.sampling.samples = problem->sampling.samples;
     if (is_reduced) PDMC_TRY(make_reduced(&variables, options->threads, results, &reduced));
     PDMC_TRY(run_all(&r));
-    if (is_reduced) PDMC_TRY(settle_doubts(&r, model));
     PDMC_TRY(summarise_accuracy(&r));
-    if (results->status == PDMC_RUN_COMPLETE) PDMC_TRY(pdmc_rare_event(&variables, r.model, model, options, results));
-    for (int s = 0; s < results->sample_count; s++) results->failed_count += results->failure[s] != PDMC_SAMPLE_OK;
-    if (r.counts) {
+    if (results->status != PDMC_RUN_INTERRUPTED) PDMC_TRY(pdmc_rare_event(&variables, r.model, model, options, results));
+    if (needed_counts(&r)) {
         *counts = r.counts[0];
         r.counts[0] = NULL;
     }

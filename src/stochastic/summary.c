@@ -3,6 +3,7 @@
 
 #include "base/base_impl.h"
 #include "stochastic/counts.h"
+#include "stochastic/summary.h"
 
 #include <gsl/gsl_sort.h>
 #include <math.h>
@@ -170,21 +171,26 @@ static pdmc_estimate find_conditional(const pdmc_results *results, int tip, doub
     return found;
 }
 
+static void mark_growth(const pdmc_results *results, int tip, bool event[])
+{
+    const double *largest = results->largest_energy[results->measure];
+    for (size_t s = 0; s < (size_t)results->sample_count; s++)
+        event[s] = results->failure[s] == PDMC_SAMPLE_OK &&
+                   largest[s * (size_t)results->tip_count + (size_t)tip] > results->sample_fracture_energy[s];
+}
+
 static void summarise_tip(const pdmc_sample_counts *counts, pdmc_results *results, int tip, double share[],
                           bool event[], double x[])
 {
     const int angles = results->angle_count;
     const size_t samples = (size_t)results->sample_count, failed = (size_t)results->failed_count;
-    const double *largest = results->largest_energy[results->measure];
     share_directions(counts, results, tip, share);
     for (int a = 0; a < angles; a++) {
         pdmc_estimate *direction = &results->direction[tip * angles + a];
         *direction = pdmc_statistics_proportion((size_t)lround(share[a]), samples - failed, results->confidence);
         direction->value = share[a] / (double)(samples - failed);
     }
-    for (size_t s = 0; s < samples; s++)
-        event[s] = results->failure[s] == PDMC_SAMPLE_OK &&
-                   largest[s * (size_t)results->tip_count + (size_t)tip] > results->sample_fracture_energy[s];
+    mark_growth(results, tip, event);
     results->probability[tip] = find_probability(results, event);
     results->conditional_probability[tip] = find_conditional(results, tip, x);
 }
@@ -215,6 +221,44 @@ static void summarise_all_counted(const pdmc_run_options *options, const pdmc_sa
 #pragma omp parallel for schedule(dynamic) num_threads(options->threads)
     for (int i = 0; i < PDMC_MEASURES * directions; i++)
         summarise_counted(counts, results, i / directions, (size_t)(i % directions));
+}
+
+pdmc_status pdmc_summarise_probability(const pdmc_results *results, int tip, pdmc_estimate *probability)
+{
+    pdmc_status status = PDMC_OK;
+    bool *event = NULL;
+    PDMC_NEW(event, results->sample_count);
+    mark_growth(results, tip, event);
+    *probability = find_probability(results, event);
+done:
+    pdmc_free(event);
+    return status;
+}
+
+pdmc_status pdmc_summarise_energy(const pdmc_sample_counts *counts, const pdmc_results *results, size_t direction,
+                                  double p, pdmc_estimate *mean, pdmc_estimate *quantile)
+{
+    pdmc_status status = PDMC_OK;
+    const size_t samples = (size_t)results->sample_count;
+    double *x = NULL, *sorted = NULL;
+    pdmc_estimate deviation;
+    if (counts) {
+        const size_t quantity = (size_t)results->measure * (size_t)(counts->tips * counts->angles) + direction;
+        pdmc_tally_moments(counts->tally, quantity, results->confidence, mean, &deviation);
+        *quantile = pdmc_tally_quantile(counts->tally, quantity, p, results->confidence);
+        goto done;
+    }
+    PDMC_NEW(x, samples);
+    PDMC_NEW(sorted, samples);
+    const size_t count = gather(results, (int)results->measure, direction, x);
+    find_moments(results, count, x, mean, &deviation);
+    memcpy(sorted, x, count * sizeof *x);
+    gsl_sort(sorted, 1, count);
+    *quantile = find_quantile(results, count, x, sorted, p);
+done:
+    pdmc_free(x);
+    pdmc_free(sorted);
+    return status;
 }
 
 pdmc_status pdmc_summarise(const pdmc_run_options *options, const pdmc_sample_counts *counts, pdmc_results *results)

@@ -54,10 +54,20 @@ static pdmc_status check_grid(const pdmc_study_reader *reader)
     return PDMC_OK;
 }
 
+// Sampling is read before the tips are.
+static pdmc_status check_target(const pdmc_study_reader *reader)
+{
+    const pdmc_problem *p = reader->problem;
+    if (p->sampling.target == PDMC_TARGET_NONE || p->energy.tip_count > 0) return PDMC_OK;
+    return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_SAMPLING, -1, "target"},
+                             "there is no tip whose energy could be known, must be \"none\"");
+}
+
 pdmc_status pdmc_study_check_energy(const pdmc_study_reader *reader)
 {
     const pdmc_energy_request *energy = &reader->problem->energy;
-    const pdmc_status status = check_grid(reader);
+    pdmc_status status = check_grid(reader);
+    if (status == PDMC_OK) status = check_target(reader);
     if (status != PDMC_OK) return status;
     if (energy->tip_count > 0) warn_of_extension(reader);
     for (int i = 0; i < energy->tip_count; i++) warn_of_horizon(reader, energy->tips[i]);

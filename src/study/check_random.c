@@ -216,6 +216,25 @@ static pdmc_status check_inverse(const pdmc_study_reader *reader)
     return PDMC_OK;
 }
 
+static pdmc_status check_target(const pdmc_study_reader *reader)
+{
+    const pdmc_problem *p = reader->problem;
+    const pdmc_sampling *sampling = &p->sampling;
+    const pdmc_study_address target = {SECTION_SAMPLING, -1, "target"}, most = {SECTION_SAMPLING, -1, "most_samples"};
+    if (sampling->target == PDMC_TARGET_NONE) return PDMC_OK;
+    if (sampling->design == PDMC_DESIGN_LATIN_HYPERCUBE)
+        return pdmc_study_refuse(reader, target,
+                                 "a Latin hypercube's points depend on their number, which a target leaves open, must have "
+                                 "design = \"monte_carlo\" or \"sobol\"");
+    if (sampling->most_samples < sampling->samples)
+        return pdmc_study_refuse(reader, most, "%d is not allowed, must be at least the %d samples", sampling->most_samples,
+                                 sampling->samples);
+    if (sampling->design != PDMC_DESIGN_MONTE_CARLO && sampling->most_samples % sampling->replicates != 0)
+        return pdmc_study_refuse(reader, most, "%d is not allowed, must be a multiple of the %d replicates of the design",
+                                 sampling->most_samples, sampling->replicates);
+    return PDMC_OK;
+}
+
 pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader)
 {
     const pdmc_problem *p = reader->problem;
@@ -224,7 +243,8 @@ pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader)
         return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_SAMPLING, -1, "samples"},
                                  "%d is not allowed, must be a multiple of the %d replicates of the design, such as %d",
                                  samples, replicates, (samples / replicates + 1) * replicates);
-    return check_inverse(reader);
+    const pdmc_status status = check_target(reader);
+    return status == PDMC_OK ? check_inverse(reader) : status;
 }
 
 pdmc_status pdmc_study_check_reliability(const pdmc_study_reader *reader)

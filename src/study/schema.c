@@ -88,6 +88,7 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define STENCILS CHOICES("imq", "polyharmonic")
 #define INVERSES CHOICES("direct", "neumann", "krylov", "reduced")
 #define DESIGNS CHOICES("monte_carlo", "latin_hypercube", "sobol")
+#define TARGETS CHOICES("none", "mean", "quantile", "probability")
 #define RARE_METHODS CHOICES("none", "importance", "subset", "both")
 #define LINES CHOICES("point", "segment")
 #define BONDS CHOICES("all", "tensile")
@@ -259,7 +260,14 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .offset = offsetof(pdmc_correlation, correlation), .doc = "of the normal variables behind the two"},
 
     {SECTION_SAMPLING, "samples", KIND_INT, .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.samples),
-     .fallback = "1000", .doc = "a smaller number is a prefix of a larger one, but for a Latin hypercube"},
+     .fallback = "1000", .doc = "a smaller number is a prefix of a larger one, but for a Latin hypercube; the least, with a target"},
+    {SECTION_SAMPLING, "target", KIND_CHOICE, .offset = IN_PROBLEM(sampling.target), .choices = TARGETS, .fallback = "none",
+     .doc = "what sampling goes on for until it is known at every tip: the mean or the 95 % quantile of the energy where the "
+            "mean plate has its largest, or P(G > G_c)"},
+    {SECTION_SAMPLING, "relative_error", KIND_REAL, .range = ABOVE_TO(0.0, 1.0), .offset = IN_PROBLEM(sampling.relative_error),
+     .fallback = "0.05", .doc = "of the target: half the width of its interval over its value"},
+    {SECTION_SAMPLING, "most_samples", KIND_INT, .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.most_samples),
+     .fallback = "1000000", .doc = "at which sampling stops without it"},
     {SECTION_SAMPLING, "keep", KIND_INT, .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.keep),
      .fallback = "20000",
      .doc = "independent samples of which the file has c(r) and the energies at every angle; the statistics are of all"},
@@ -322,7 +330,7 @@ _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == si
                    sizeof(pdmc_bond_area) == sizeof(int) && sizeof(pdmc_bond_micromodulus) == sizeof(int) &&
                    sizeof(pdmc_energy_line) == sizeof(int) && sizeof(pdmc_radial_model) == sizeof(int) &&
                    sizeof(pdmc_covariance_kind) == sizeof(int) && sizeof(pdmc_design_kind) == sizeof(int) &&
-                   sizeof(pdmc_rare_method) == sizeof(int),
+                   sizeof(pdmc_rare_method) == sizeof(int) && sizeof(pdmc_target) == sizeof(int),
                "enumerations of another size");
 
 pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem)

@@ -53,6 +53,9 @@ pdmc_status pdmc_study_set_samples(pdmc_study *study, int samples)
     PDMC_REQUIRE(sampling->design == PDMC_DESIGN_MONTE_CARLO || samples % sampling->replicates == 0,
                  "%d samples are not allowed, must be a multiple of the %d replicates of the design, such as %d",
                  samples, sampling->replicates, (samples / sampling->replicates + 1) * sampling->replicates);
+    PDMC_REQUIRE(sampling->target == PDMC_TARGET_NONE || samples <= sampling->most_samples,
+                 "%d samples are not allowed, must be at most the %d of sampling.most_samples", samples,
+                 sampling->most_samples);
     sampling->samples = samples;
     return pdmc_study_resolve(study);
 }

@@ -185,7 +185,7 @@ static json_t *everything(const pdmc_results *r)
     pdmc_json_put(&object, "date_and_time", pdmc_json_text(r->date_and_time));
     pdmc_json_put(&object, "pdmc_version", pdmc_json_text(r->pdmc_version));
     pdmc_json_put(&object, "git_sha1", pdmc_json_text(r->git_sha1));
-    pdmc_json_put(&object, "status", pdmc_json_text(r->status == PDMC_RUN_COMPLETE ? "complete" : "interrupted"));
+    pdmc_json_put(&object, "status", pdmc_json_text(pdmc_run_status_names[r->status]));
     pdmc_json_put(&object, "samples", json_integer(r->sample_count));
     pdmc_json_put(&object, "kept", json_integer(r->kept_count));
     pdmc_json_put(&object, "failed", json_integer(r->failed_count));

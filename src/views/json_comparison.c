@@ -9,7 +9,7 @@ static json_t *study(const pdmc_comparison *c, int which)
     pdmc_json_put(&object, "file", pdmc_json_text(c->labels[which]));
     pdmc_json_put(&object, "title", pdmc_json_text(r->title));
     pdmc_json_put(&object, "method", *c->method[which] ? pdmc_json_text(c->method[which]) : json_null());
-    pdmc_json_put(&object, "status", pdmc_json_text(r->status == PDMC_RUN_COMPLETE ? "complete" : "interrupted"));
+    pdmc_json_put(&object, "status", pdmc_json_text(pdmc_run_status_names[r->status]));
     pdmc_json_put(&object, "seed", pdmc_json_seed(r->seed));
     pdmc_json_put(&object, "samples", json_integer(r->sample_count));
     pdmc_json_put(&object, "failed", json_integer(r->failed_count));

@@ -57,6 +57,9 @@ static void print_head(const pdmc_results *r, FILE *stream)
     else if (r->status == PDMC_RUN_INTERRUPTED)
         fprintf(stream, "  INTERRUPTED: these are the %s that were done until then\n",
                 r->kind == PDMC_DYNAMIC ? "steps" : "samples");
+    else if (r->status == PDMC_RUN_TARGET_MET) fprintf(stream, "  the precision that was asked for is reached\n");
+    else if (r->status == PDMC_RUN_SAMPLE_CAP)
+        fprintf(stream, "  STOPPED AT THE CAP: the most samples allowed do not give the precision that was asked for\n");
 }
 
 static void print_tip(const pdmc_results *r, const pdmc_tip *tip, FILE *stream)

@@ -193,6 +193,15 @@ static void designs_and_rare_events(void **state)
     static const char *const mistakes[][2] = {
         {LOAD("") " sampling = { design = \"sobol\"; samples = 1000; };",
          "sampling.samples: 1000 is not allowed, must be a multiple of the 16 replicates of the design, such as 1008"},
+        {LOAD("") " sampling = { design = \"latin_hypercube\"; samples = 96; target = \"mean\"; };",
+         "sampling.target: a Latin hypercube's points depend on their number, which a target leaves open, must have "
+         "design = \"monte_carlo\" or \"sobol\""},
+        {LOAD("") " sampling = { samples = 100; most_samples = 99; target = \"mean\"; };",
+         "sampling.most_samples: 99 is not allowed, must be at least the 100 samples"},
+        {LOAD("") " sampling = { design = \"sobol\"; samples = 96; most_samples = 1000; target = \"mean\"; };",
+         "sampling.most_samples: 1000 is not allowed, must be a multiple of the 16 replicates of the design"},
+        {LOAD("") " energy = { tips = []; }; sampling = { target = \"mean\"; };",
+         "sampling.target: there is no tip whose energy could be known, must be \"none\""},
         {LOAD("") " reliability = { variation = 0; };",
          "reliability.variation: 0 is not allowed, must be > 0 and <= 1"},
         {LOAD("") " reliability = { sensitivity = 1; };",
