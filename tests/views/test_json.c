@@ -59,6 +59,23 @@ static void check_estimate(const json_t *object, const char *key, const pdmc_est
     CHECK_NEAR(json_real_value(json_object_get(got, "upper")), want->upper, 0.0);
 }
 
+static void the_models_error_is_there(void **state)
+{
+    (void)state;
+    pdmc_results results = made_up_results(made_up_small);
+    results.accuracy.mean_error[PDMC_MEASURE_GRIFFITH] = 0.003;
+    results.accuracy.quantile_error[PDMC_MEASURE_GRIFFITH][2] = 0.006;
+    results.accuracy.quantile_error[PDMC_MEASURE_BOND][1] = INFINITY;
+    json_t *object = parsed(&results), *accuracy = json_object_get(object, "accuracy");
+    const json_t *griffith = json_object_get(accuracy, "griffith_energy_model_error");
+    const json_t *bond = json_object_get(accuracy, "bond_energy_model_error");
+    CHECK_NEAR(json_real_value(json_object_get(griffith, "mean")), 0.003, 0.0);
+    CHECK_NEAR(json_real_value(json_object_get(griffith, "0.95")), 0.006, 0.0);
+    assert_true(json_is_null(json_object_get(bond, "0.50")));
+    json_decref(object);
+    pdmc_results_clear(&results);
+}
+
 static void rare_growth_is_there(void **state)
 {
     (void)state;
@@ -190,6 +207,7 @@ int main(void)
         cmocka_unit_test(what_is_no_number_is_null),
         cmocka_unit_test(odd_texts_and_seeds_are_written),
         cmocka_unit_test(a_full_disk_is_seen),
+        cmocka_unit_test(the_models_error_is_there),
         cmocka_unit_test(rare_growth_is_there),
         cmocka_unit_test(a_motion_is_there_where_there_is_one),
         cmocka_unit_test(refused_memory_is_reported),
