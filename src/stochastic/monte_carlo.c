@@ -248,7 +248,7 @@ static int blocks_together(const run *r)
     return r->counts && is_quick ? PDMC_COUNTED_BLOCKS : 1;
 }
 
-// The nominal energies, and what each worker has; what is counted, where the last round may have more samples than are kept.
+// The nominal energies, and what each worker has; counts, where the last round may have more samples than are kept.
 static pdmc_status employ(run *r)
 {
     pdmc_status status = PDMC_OK;
@@ -410,7 +410,8 @@ pdmc_status pdmc_monte_carlo(const pdmc_problem *problem, const pdmc_affine *mod
     if (is_reduced) PDMC_TRY(make_reduced(&variables, options->threads, results, &reduced));
     PDMC_TRY(run_all(&r));
     PDMC_TRY(summarise_accuracy(&r));
-    if (results->status != PDMC_RUN_INTERRUPTED) PDMC_TRY(pdmc_rare_event(&variables, r.model, model, options, results));
+    if (results->status != PDMC_RUN_INTERRUPTED)
+        PDMC_TRY(pdmc_rare_event(&variables, r.model, model, options, results));
     if (needed_counts(&r)) {
         *counts = r.counts[0];
         r.counts[0] = NULL;
