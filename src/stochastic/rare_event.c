@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 // Points between two looks at the variation, where each is a plate of its own.
 enum { DEAR_BATCH = 4 * PDMC_BLOCK };
@@ -68,8 +69,8 @@ static void store_point(const pdmc_variables *variables, const pdmc_first_order 
 
 // The design point of every tip: growth of any is a union of events, whose limit has no gradient where two tips are as near
 // to growing. The nearest is the one that is told.
-// centre: [tips, variables] those that were found
-static pdmc_status find_points(pdmc_growth *growth, pdmc_reliability_results *r, int *count, double centre[])
+// centre: [tips, variables] where each search ended, which is nearer to growth than the origin also where it found no point
+static pdmc_status find_points(pdmc_growth *growth, pdmc_reliability_results *r, double centre[])
 {
     pdmc_status status = PDMC_OK;
     const int variables = growth->variables->count;
@@ -77,13 +78,11 @@ static pdmc_status find_points(pdmc_growth *growth, pdmc_reliability_results *r,
     const pdmc_first_order_options options = pdmc_first_order_options_default();
     pdmc_first_order point = {0};
     double evaluations = 0.0;
-    *count = 0;
     for (growth->tip = 0; growth->tip < growth->results->tip_count; growth->tip++) {
         PDMC_TRY(pdmc_first_order_find(&limit, &options, &point));
         evaluations += (double)point.evaluations;
         if (point.converged && !(r->first_order_index <= point.index)) store_point(growth->variables, &point, r);
-        for (int k = 0; k < variables && point.converged; k++) centre[*count * variables + k] = point.z[k];
-        *count += point.converged;
+        memcpy(&centre[growth->tip * variables], point.z, (size_t)variables * sizeof *centre);
         pdmc_first_order_clear(&point);
     }
     r->first_order_evaluations = evaluations;
@@ -103,16 +102,16 @@ static pdmc_status sample_at_points(pdmc_growth *growth, double confidence, pdmc
     pdmc_importance_options options = pdmc_importance_options_default();
     pdmc_reliability found;
     double *centre = NULL;
-    int points;
-    PDMC_NEW(centre, (growth->results->tip_count + 1) * variables->count);
-    PDMC_TRY(find_points(growth, r, &points, centre));
+    const int centres = growth->results->tip_count + 1; // the last one is the origin
+    PDMC_NEW(centre, centres * variables->count);
+    PDMC_TRY(find_points(growth, r, centre));
     options.seed = variables->problem->sampling.seed;
     options.confidence = confidence;
     options.variation = request->variation;
     options.most_evaluations = request->evaluations;
     if (variables->model->family) options.batch = DEAR_BATCH;
     if (options.batch > request->evaluations) options.batch = request->evaluations;
-    PDMC_TRY(pdmc_importance_sampling(&limit, points + 1, centre, &options, &found));
+    PDMC_TRY(pdmc_importance_sampling(&limit, centres, centre, &options, &found));
     add_record(r, "importance sampling", &found);
 done:
     pdmc_free(centre);

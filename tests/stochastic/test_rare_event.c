@@ -6,6 +6,7 @@
 #include "stochastic/toy.h"
 
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_randist.h>
 
 static const double load_deviation = 0.1, toughness_deviation = 0.15; // of the logarithms
 static const double median_toughness = 4.0;
@@ -70,6 +71,92 @@ static void both_methods_find_the_closed_form(void **state)
         assert_true(group->first.upper - group->first.lower < 0.2);
     }
     assert_true(r.status == PDMC_RUN_COMPLETE && r.runtime.reliability > 0.0);
+    pdmc_results_clear(&r);
+}
+
+/// Two unknowns, each with its own bin and its own tip: K_I = S / c_t, so that the tips grow by themselves but for the load.
+typedef struct {
+    toy base;
+    double term[4], modulus[2], solution[2][2], intensity[8], ring_weight[2], row[2 * ANGLES][2];
+    pdmc_crossing crossing[2 * ANGLES];
+    pdmc_uncertainty quantities[2];
+    int tips[2];
+} two_tips;
+
+static pdmc_status two_tips_solve(const pdmc_affine *model, const double xi[], const double scale[2], double x[])
+{
+    (void)model;
+    for (int t = 0; t < 2; t++) x[t] = scale[1] / (1.0 + xi[t]);
+    return PDMC_OK;
+}
+
+static const pdmc_affine_verbs two_tips_verbs = {.solve = two_tips_solve, .destroy = toy_destroy};
+
+static const double scatter = 0.08; // of c_t, and of the logarithm of the load
+static const double strength = 2.0; // K_I at growth
+
+static void two_tips_make(two_tips *t)
+{
+    *t = (two_tips){.term = {1.0, 0.0, 0.0, 1.0}, .solution = {{0.0, 0.0}, {1.0, 1.0}}, .tips = {0, 1}};
+    toy_make(&t->base, 0.0, 0.0);
+    t->intensity[0] = t->intensity[5] = 1.0; // of K_I at either tip; those of K_II are 0
+    t->quantities[0] = toy_scalar(PDMC_QUANTITY_LOAD, PDMC_LOGNORMAL, 0.0, scatter);
+    t->quantities[1] = (pdmc_uncertainty){PDMC_QUANTITY_MICROMODULUS, .bins = 2, .variation = scatter};
+    for (int d = 0; d < 2 * ANGLES; d++)
+        t->crossing[d] = (pdmc_crossing){.bonds = 1, .row = t->row[d], .ring = &t->base.ring};
+    pdmc_affine *model = &t->base.model;
+    model->unknowns = model->terms = model->radial_terms = model->bins = model->tips = 2;
+    model->term_weight = t->term;
+    model->modulus_weight = t->modulus;
+    model->stress_intensity = t->intensity;
+    model->ring_weight = t->ring_weight;
+    model->crossings = t->crossing;
+    model->verbs = &two_tips_verbs;
+    for (int l = 0; l < 2; l++) model->solution[l] = t->solution[l];
+    pdmc_problem *problem = &t->base.problem;
+    problem->uncertainties = t->quantities;
+    problem->material.fracture_energy = strength * strength;
+    problem->sampling.samples = 100;
+    problem->sampling.inverse = PDMC_INVERSE_DIRECT;
+    problem->energy.measure = PDMC_MEASURE_GRIFFITH;
+    problem->energy.tip_count = 2;
+    problem->energy.tips = t->tips;
+    problem->reliability = (pdmc_reliability_request){PDMC_RARE_BOTH, 0.05, 1000000, 0};
+}
+
+// P(S / min c > strength): given the load, 1 - (1 - Phi((S / strength - 1) / v))^2, summed over the load by the trapezoidal
+// rule, which is exact to rounding for such functions.
+static double probability_of_either(void)
+{
+    const double h = 1e-3;
+    double sum = 0.0;
+    for (int k = -9000; k <= 9000; k++) {
+        const double z = k * h, one = gsl_cdf_ugaussian_P((exp(scatter * z) / strength - 1.0) / scatter);
+        sum += h * gsl_ran_ugaussian_pdf(z) * one * (2.0 - one);
+    }
+    return sum;
+}
+
+// Growth of any tip has no gradient where both are as near to it: either has its design point, and both are sampled at.
+static void each_tip_has_its_design_point(void **state)
+{
+    (void)state;
+    two_tips t;
+    pdmc_results r;
+    two_tips_make(&t);
+    CHECK_OK(toy_run(&t.base, &one_thread, &r));
+    const double exact = probability_of_either();
+    assert_int_equal(r.reliability.record_count, 2);
+    for (int m = 0; m < 2; m++) {
+        const pdmc_reliability_record *record = &r.reliability.records[m];
+        print_message("%s: %.3e [%.3e, %.3e], exact %.3e, %.0f points\n", record->name, record->found.probability.value,
+                      record->found.probability.lower, record->found.probability.upper, exact, record->evaluations);
+        assert_true(record->complete);
+        CHECK_NEAR(record->found.probability.value, exact, 4.0 * record->found.variation * exact);
+    }
+    assert_true(isfinite(r.reliability.first_order_index));
+    assert_true(r.reliability.records[0].evaluations <
+                10000.0); // half of the event from the origin alone takes a million
     pdmc_results_clear(&r);
 }
 
@@ -243,6 +330,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(both_methods_find_the_closed_form),
+        cmocka_unit_test(each_tip_has_its_design_point),
         cmocka_unit_test(nothing_is_computed_that_was_not_asked_for),
         cmocka_unit_test(few_evaluations_are_not_exceeded_by_far),
         cmocka_unit_test(threads_change_no_bit),

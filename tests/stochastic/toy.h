@@ -98,12 +98,12 @@ static inline pdmc_status toy_run(toy *t, const pdmc_run_options *options, pdmc_
     *r = (pdmc_results){.confidence = 0.95,
                         .replicates = is_designed ? t->problem.sampling.replicates : 0.0,
                         .bin_count = 1,
-                        .tip_count = 1,
+                        .tip_count = t->model.tips,
                         .angle_count = t->model.angles,
                         .measure = t->problem.energy.measure,
                         .histogram_bins = 10,
                         .fracture_energy = 1.0};
-    r->tips = pdmc_calloc(1, sizeof *r->tips);
+    r->tips = pdmc_calloc((size_t)t->model.tips, sizeof *r->tips);
     r->angles = pdmc_calloc(ANGLES, sizeof *r->angles);
     if (!r->tips || !r->angles) return PDMC_ERR_NOMEM;
     for (int d = 0; d < ANGLES; d++) r->angles[d] = 1.5707963267948966 * d;
