@@ -29,8 +29,14 @@ expect_files
 
 expect 0 '"$pdmc" --help'
 expect_line out 'pdmc STUDY [options]'
-for code in 64 65 66 70 73 74 75 78; do expect_line out "$code "; done
+for code in 3 64 65 66 70 73 74 75 78; do expect_line out "$code "; done
 expect 0 '"$pdmc" --version'
 grep -qE '^pdmc [0-9]+\.[0-9]+\.[0-9]+ [0-9a-f]*$' out || fail "version: $(cat out)"
 expect 0 '"$pdmc" describe'
 expect_line out '    youngs_modulus '
+
+# All processors that OpenMP would use, whatever reading a study does with the linear algebra.
+expect 0 'OMP_NUM_THREADS=3 "$pdmc" check -q small.cfg'
+expect_line out ' on 3 threads'
+expect 0 'OMP_NUM_THREADS=3 "$pdmc" check -q -t 2 small.cfg'
+expect_line out ' on 2 threads'
