@@ -5,6 +5,7 @@
 #include <getopt.h>
 #include <limits.h>
 #include <math.h>
+#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -216,7 +217,7 @@ bool read_arguments(int argc, char *argv[], arguments *out)
     char letters[sizeof long_options / sizeof long_options[0]] = ""; // of the options that were given, each once
     char name[] = "pdmc";
     if (argc > 0) argv[0] = name; // by which getopt begins its messages
-    *out = (arguments){0};
+    *out = (arguments){.threads = omp_get_max_threads()}; // asked for before OpenBLAS is made to run on one
     int letter;
     while ((letter = getopt_long(argc, argv, "o:t:s:n:fqh", long_options, NULL)) != -1) {
         if (!read_option(letter, optarg, out)) return false;

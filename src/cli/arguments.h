@@ -30,7 +30,7 @@ typedef struct {
     bool has_measure;
     pdmc_measure measure;
     const char *output; // NULL for the study's name with .h5, in the working folder
-    int threads;        // 0 for all processors
+    int threads;        // as many as OpenMP would use, unless given
     int samples;        // 0 for the study's
     bool has_seed, force, quiet, json;
     uint64_t seed;

@@ -7,17 +7,10 @@
 #include "pdmc/run.h"
 #include "pdmc/views.h"
 
-#include <omp.h>
 #include <signal.h>
 #include <stdio.h>
 #include <sysexits.h>
 #include <unistd.h>
-
-// OpenMP knows which processors this process may use, and what OMP_NUM_THREADS says.
-static int thread_count(const arguments *given)
-{
-    return given->threads > 0 ? given->threads : omp_get_max_threads();
-}
 
 static pdmc_status read_study(const arguments *given, pdmc_study *study)
 {
@@ -89,7 +82,7 @@ static int run_study(const arguments *given, const pdmc_study *study, const char
     progress state;
     pdmc_results results = {0};
     const pdmc_run_options options = {
-        .threads = thread_count(given), .progress = progress_show, .round = progress_round, .context = &state};
+        .threads = given->threads, .progress = progress_show, .round = progress_round, .context = &state};
     const pdmc_cost cost = pdmc_run_cost(&study->problem, options.threads);
     if (!given->quiet) warn_of_memory(&cost);
     progress_start(given->quiet, counted(study->problem.kind), &state);
@@ -132,10 +125,9 @@ int check_command(const arguments *given)
     pdmc_status status = read_study(given, &study);
     if (status == PDMC_OK) status = pdmc_problem_check_equilibrium(&study.problem);
     if (status == PDMC_OK) {
-        const int threads = thread_count(given);
-        const pdmc_cost cost = pdmc_run_cost(&study.problem, threads);
+        const pdmc_cost cost = pdmc_run_cost(&study.problem, given->threads);
         printf("%s\n", study.resolved);
-        print_cost(&cost, threads);
+        print_cost(&cost, given->threads);
         if (!given->quiet) warn_of_memory(&cost);
     }
     pdmc_study_clear(&study);
