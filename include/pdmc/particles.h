@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Motion and fracture of bodies that are held together by bonds (Silling & Askari, Computers & Structures 83 (2005)
+/// 1526-1535): nodes on a regular grid in two or three dimensions, the prototype microelastic brittle material, cracks,
+/// contact, and rigid spheres. All quantities in one consistent set of units; in two dimensions z is zero everywhere, a
+/// node's volume is spacing^2 thickness.
+
+#include "pdmc/dynamics.h"
+#include "pdmc/problem.h"
+
+enum { PDMC_AXES = 3 };
+
+/// How a material resists: c and s_0 of its bonds. Bonds do not fail in compression.
+typedef struct {
+    char name[PDMC_NAME_SIZE];
+    double density;      // rho, mass / length^3
+    double micromodulus; // c, force / length^6 (the same unit in two dimensions, where the volume has the thickness)
+    double critical_stretch; // s_00; infinite: bonds never break
+    double strengthening;    // alpha: s_0 = s_00 - alpha s_min, s_min the least stretch of all bonds of a node (eq. 28)
+} pdmc_brittle_material;
+
+/// How much of a neighbour's volume counts where the horizon's edge may cut it: all if its node is inside; or a share that
+/// falls linearly from 1 at horizon - spacing / 2 to 1/2 at the horizon.
+typedef enum { PDMC_VOLUME_WHOLE, PDMC_VOLUME_TAPERED } pdmc_volume_rule;
+
+typedef enum { PDMC_SHAPE_BOX, PDMC_SHAPE_CYLINDER, PDMC_SHAPE_BALL } pdmc_shape_kind;
+
+/// A region of space; nodes on its edge are inside, to 1e-9 of the spacing.
+typedef struct {
+    pdmc_shape_kind kind;
+    double from[PDMC_AXES], to[PDMC_AXES]; // corners of a box; middles of a cylinder's ends, along one of the axes
+    double centre[PDMC_AXES];              // of a ball
+    double radius;                         // of a cylinder or a ball
+} pdmc_shape;
+
+/// Nodes of one material that start with one velocity. Bonds connect nodes of one body; different bodies only touch.
+typedef struct {
+    char name[PDMC_NAME_SIZE];
+    pdmc_shape shape; // where bodies overlap, the last one has the nodes
+    int material;
+    double velocity[PDMC_AXES];
+} pdmc_body;
+
+typedef enum { PDMC_CRACK_SEGMENT, PDMC_CRACK_DISC, PDMC_CRACK_RECTANGLE } pdmc_planar_crack_kind;
+
+/// A surface whose crossing bonds are broken before the start: a straight segment in the plane (through all z), a disc, or a
+/// rectangle of centre +- side[0] +- side[1].
+typedef struct {
+    char name[PDMC_NAME_SIZE];
+    pdmc_planar_crack_kind kind;
+    double from[2], to[2];            // of a segment
+    double centre[PDMC_AXES];         // of a disc or a rectangle
+    double normal[PDMC_AXES], radius; // of a disc; the normal of any length
+    double side[2][PDMC_AXES];        // of a rectangle: from the centre to the middles of two edges
+} pdmc_planar_crack;
+
+typedef enum { PDMC_CONDITION_VELOCITY, PDMC_CONDITION_FORCE } pdmc_condition_kind;
+
+/// What is prescribed in a layer of nodes: components of the velocity, or a force on a unit of volume.
+typedef struct {
+    pdmc_condition_kind kind;
+    pdmc_shape region; // in the reference configuration
+    bool along[PDMC_AXES];
+    double value[PDMC_AXES]; // length / time, or force / length^3; times the history's factor
+    pdmc_history history;
+} pdmc_layer_condition;
+
+/// A rigid sphere without friction: a node at the distance r < radius of its centre is pushed out by the force
+/// stiffness (radius - r)^2 on a unit of its volume.
+typedef struct {
+    char name[PDMC_NAME_SIZE];
+    double radius, centre[PDMC_AXES], velocity[PDMC_AXES];
+    double mass;      // infinite: it keeps its velocity
+    double stiffness; // force / length^5
+} pdmc_rigid_sphere;
+
+typedef struct {
+    int dimension;  // 2 or 3
+    double spacing; // of the grid, which has nodes at whole multiples of it plus `offset`
+    double offset[PDMC_AXES];
+    double thickness; // in two dimensions
+    double horizon;
+    pdmc_volume_rule volume_rule;
+    double
+        contact_distance; // d_c over spacing: nodes repel each other below min(0.9 of their first distance, d_c); 0: never
+    double contact_stiffness; // of the repulsion, over that of a bond as long as the horizon: 15 by convention
+    int material_count, body_count, crack_count, condition_count, sphere_count;
+    const pdmc_brittle_material *materials; // the caller's, as are the other lists; needed by create() alone
+    const pdmc_body *bodies;
+    const pdmc_planar_crack *cracks;
+    const pdmc_layer_condition *conditions;
+    const pdmc_rigid_sphere *spheres;
+    double step; // of time; 0: `safety` times the stable one
+    double safety;
+    int threads; // no result depends on them
+} pdmc_particles_options;
+
+/// Sums over all nodes. Energy: kinetic + elastic + fracture + contact = first + work, but for errors of the second order in
+/// the step.
+typedef struct {
+    double kinetic, elastic, contact;
+    double fracture; // in the bonds at the moment they broke
+    double work;     // of conditions and of spheres that keep their velocity
+    double first;    // kinetic, at the start
+    double momentum[PDMC_AXES];
+    double mean_damage;
+    uint64_t broken; // bonds, those cut by cracks included
+} pdmc_particles_sums;
+
+/// Bodies in motion.
+typedef struct pdmc_particles pdmc_particles;
+
+/// The micromodulus of an isotropic material (Silling & Askari 2005, eq. 23; in two dimensions from the strain energy of
+/// an isotropic stretch): 12 E / (pi horizon^4) in three dimensions (Poisson's ratio 1/4), 9 E / (pi horizon^3 t) in plane
+/// stress (1/3), 48 E / (5 pi horizon^3 t) in plane strain (1/4).
+/// @param[in] thickness  t, in two dimensions
+PDMC_API double pdmc_brittle_micromodulus(int dimension, pdmc_assumption assumption, double youngs_modulus,
+                                          double horizon, double thickness);
+
+/// s_0 from the fracture energy: sqrt(10 G_0 / (pi c horizon^5)) (eq. 27), in two dimensions sqrt(4 G_0 / (c t horizon^4)).
+PDMC_API double pdmc_brittle_critical_stretch(int dimension, double fracture_energy, double micromodulus,
+                                              double horizon, double thickness);
+
+/// Places the nodes, cuts the cracks, and starts at time 0.
+/// @param[out] particles  to be destroyed by the caller; NULL on failure
+/// @return PDMC_OK; PDMC_ERR_ARG with the reason where there is no node, a step is not stable, a crack isolates a node, or
+///         two bodies start in contact; PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_particles_create(const pdmc_particles_options *options,
+                                                          pdmc_particles **particles);
+PDMC_API void pdmc_particles_destroy(pdmc_particles *particles);
+
+/// The largest step that is stable for small strain, sqrt(2 rho / sum_p V_p |C_p|), C = c / |xi| (eq. 46), over all nodes.
+PDMC_API double pdmc_particles_stable_step(const pdmc_particles *particles);
+PDMC_API double pdmc_particles_step_size(const pdmc_particles *particles);
+
+/// The name of the kernel in use: "avx512", "avx2" or "portable". Their results agree to rounding, not to the bit.
+PDMC_API const char *pdmc_particles_kernel(const pdmc_particles *particles);
+
+/// Takes steps of the central difference formula (eq. 32).
+/// @return PDMC_OK, or PDMC_ERR_SINGULAR with the step and the node where a position is not finite; the state is then that
+///         of the last step before it
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_particles_advance(pdmc_particles *particles, int steps);
+
+PDMC_API int pdmc_particles_count(const pdmc_particles *particles);         // nodes
+PDMC_API uint64_t pdmc_particles_bonds(const pdmc_particles *particles);    // pairs, at the start without cracks
+PDMC_API size_t pdmc_particles_bond_bytes(const pdmc_particles *particles); // of memory beyond the nodes' own
+PDMC_API double pdmc_particles_time(const pdmc_particles *particles);
+PDMC_API int pdmc_particles_steps(const pdmc_particles *particles);
+PDMC_API pdmc_particles_sums pdmc_particles_sum(const pdmc_particles *particles);
+
+/// Values at the nodes, in the order x fastest, then y, then z.
+/// @param[out] x          [count, 3] in the reference configuration
+/// @param[out] u velocity [count, 3] or NULL
+/// @param[out] damage     [count] (eq. 21), or NULL
+/// @param[out] body       [count], or NULL
+PDMC_API void pdmc_particles_reference(const pdmc_particles *particles, double x[], int body[]);
+PDMC_API void pdmc_particles_state(const pdmc_particles *particles, double u[], double velocity[], double damage[]);
+
+/// The rigid spheres as they are now. @param[out] spheres  [sphere_count]
+PDMC_API void pdmc_particles_spheres(const pdmc_particles *particles, pdmc_rigid_sphere spheres[]);
