@@ -77,9 +77,10 @@ static pdmc_status solve(const pdmc_affine *model, const double xi[], const doub
     double *shell_factor = NULL;
     PDMC_NEW(shell_factor, shells);
     for (int m = 0; m < shells; m++) shell_factor[m] = 1.0 + (model->terms > 0 ? xi[m] : 0.0);
-    PDMC_TRY(pdmc_bond_matrix_create(&bond->plate, shell_factor, &matrix));
+    const pdmc_bond_moduli moduli = {.shell = shell_factor};
+    PDMC_TRY(pdmc_bond_matrix_create(&bond->plate, &moduli, &matrix));
     PDMC_TRY(pdmc_bond_factor_create(&matrix, bond->factor, &factor));
-    PDMC_TRY(pdmc_bond_solve(bond, factor, shell_factor, scale, x));
+    PDMC_TRY(pdmc_bond_solve(bond, factor, &moduli, scale, x));
 done:
     pdmc_bond_factor_destroy(&factor);
     pdmc_bond_matrix_clear(&matrix);

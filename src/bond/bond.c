@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bond/bond.h"
+#include "bond/nodal.h"
 
 #include <cblas.h>
 #include <math.h>
@@ -118,7 +119,7 @@ static pdmc_status factor_mean(pdmc_bond *bond)
     double *factor = NULL;
     PDMC_NEW(factor, shells);
     for (int s = 0; s < shells; s++) factor[s] = 1.0;
-    PDMC_TRY(pdmc_bond_matrix_create(&bond->plate, factor, &matrix));
+    PDMC_TRY(pdmc_bond_matrix_create(&bond->plate, &(pdmc_bond_moduli){.shell = factor}, &matrix));
     const double assembled = pdmc_seconds();
     PDMC_TRY(pdmc_bond_factor_create(&matrix, NULL, &bond->factor));
     bond->assembly_seconds += assembled - start;
@@ -129,18 +130,22 @@ done:
     return status;
 }
 
-pdmc_status pdmc_bond_product(const pdmc_bond *bond, const double factor[], const double x[], double y[])
+pdmc_status pdmc_bond_product(const pdmc_bond *bond, const pdmc_bond_moduli *moduli, const double x[], double y[])
 {
     pdmc_status status = PDMC_OK;
     const int n = bond->unknowns, shells = bond->plate.horizon.shells;
+    const double one[PDMC_BLOCK] = {1.0};
     double *block = NULL, *product = NULL, *factors = NULL;
     PDMC_NEW(block, (size_t)PDMC_BLOCK * (size_t)n);
     PDMC_NEW(product, (size_t)PDMC_BLOCK * (size_t)n);
     PDMC_NEW(factors, PDMC_BLOCK * shells);
     memcpy(block, x, (size_t)n * sizeof *x);
-    memcpy(factors, factor, (size_t)shells * sizeof *factor);
+    memcpy(factors, moduli->shell, (size_t)shells * sizeof *factors);
     PDMC_TRY(pdmc_bond_multiply(&bond->plate, bond->threads, factors, block, product));
     memcpy(y, product, (size_t)n * sizeof *y);
+    if (moduli->node)
+        PDMC_TRY(pdmc_bond_nodal_multiply(&bond->plate, bond->threads, 1, moduli->node, 0.0, 1, one, block, product));
+    if (moduli->node) cblas_daxpy(n, 1.0, product, 1, y, 1);
 done:
     pdmc_free(block);
     pdmc_free(product);
@@ -148,14 +153,14 @@ done:
     return status;
 }
 
-pdmc_status pdmc_bond_solve(const pdmc_bond *bond, const pdmc_bond_factor *factor, const double shell_factor[],
+pdmc_status pdmc_bond_solve(const pdmc_bond *bond, const pdmc_bond_factor *factor, const pdmc_bond_moduli *moduli,
                             const double scale[2], double x[])
 {
     pdmc_status status = PDMC_OK;
     const int n = bond->unknowns;
     double *force = NULL; // that the prescribed displacements put on the free unknowns
     PDMC_NEW(force, n);
-    PDMC_TRY(pdmc_bond_product(bond, shell_factor, bond->plate.grid.prescribed, force));
+    PDMC_TRY(pdmc_bond_product(bond, moduli, bond->plate.grid.prescribed, force));
     for (int k = 0; k < n; k++)
         x[k] = scale[0] * (bond->plate.grid.prescribed[k] - force[k]) + scale[1] * bond->load[k];
     PDMC_TRY(pdmc_bond_factor_solve(factor, 1, x, x));
@@ -172,15 +177,16 @@ static pdmc_status solve_mean(pdmc_bond *bond)
     PDMC_NEW(factor, shells);
     PDMC_NEW(force, n);
     PDMC_NEW(bond->mean, n);
+    const pdmc_bond_moduli moduli = {.shell = factor};
     for (int s = 0; s < shells; s++) factor[s] = 1.0;
     for (int l = 0; l < 2; l++) {
         const double scale[2] = {l == 0, l == 1};
         PDMC_NEW(bond->solution[l], n);
-        PDMC_TRY(pdmc_bond_solve(bond, bond->factor, factor, scale, bond->solution[l]));
+        PDMC_TRY(pdmc_bond_solve(bond, bond->factor, &moduli, scale, bond->solution[l]));
         cblas_daxpy(n, 1.0, bond->solution[l], 1, bond->mean, 1);
     }
     PDMC_TRY(take_out_rigid_motions(bond, bond->mean));
-    PDMC_TRY(pdmc_bond_product(bond, factor, bond->mean, force));
+    PDMC_TRY(pdmc_bond_product(bond, &moduli, bond->mean, force));
     for (int k = 0; k < n; k++)
         bond->residual = fmax(bond->residual, fabs(force[k] - bond->load[k]) / bond->plate.grid.spacing);
 done:

@@ -31,16 +31,14 @@ PDMC_NODISCARD pdmc_status pdmc_bond_create(const pdmc_problem *problem, int thr
 void pdmc_bond_destroy(pdmc_bond **bond);
 
 /// y = K x of one vector, and of the prescribed displacements in it.
-/// @param[in] factor  [shells] of each shell's mean stiffness
-PDMC_NODISCARD pdmc_status pdmc_bond_product(const pdmc_bond *bond, const double factor[], const double x[],
+PDMC_NODISCARD pdmc_status pdmc_bond_product(const pdmc_bond *bond, const pdmc_bond_moduli *moduli, const double x[],
                                              double y[]);
 
 /// Solves for scale[0] times the prescribed displacements and scale[1] times the tractions.
-/// @param[in]  factor        of the operator with these shell factors
-/// @param[in]  shell_factor  [shells]
-/// @param[out] x             [unknowns]
+/// @param[in]  factor  of the operator with these moduli
+/// @param[out] x       [unknowns]
 PDMC_NODISCARD pdmc_status pdmc_bond_solve(const pdmc_bond *bond, const pdmc_bond_factor *factor,
-                                           const double shell_factor[], const double scale[2], double x[]);
+                                           const pdmc_bond_moduli *moduli, const double scale[2], double x[]);
 
 /// The mean displacement at x: that of a node, or the polynomial of degree 2 that fits the nodes nearby that are seen
 /// from `anchor`, a point close by on the side of a crack that is meant; elsewhere anchor = x.

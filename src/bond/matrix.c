@@ -21,18 +21,20 @@ static int64_t count_column(const pdmc_bond_plate *plate, int node, int componen
 }
 
 // k e_i e_j h^2 of a bond: xx, xy, yy
-static void bond_block(const pdmc_bond_plate *plate, const double factor[], int node, size_t b, double block[3])
+static void bond_block(const pdmc_bond_plate *plate, const pdmc_bond_moduli *moduli, int node, size_t b, double block[3])
 {
     const pdmc_bond_families *families = &plate->families;
     const pdmc_bond_neighbour *n = &plate->horizon.neighbour[families->neighbour[b]];
     const double *e = n->direction, scale = 0.5 * (families->scale[node] + families->scale[families->partner[b]]);
-    const double k = plate->grid.spacing * plate->grid.spacing * n->stiffness * factor[n->shell] * scale;
+    double factor = moduli->shell[n->shell];
+    if (moduli->node) factor += 0.5 * (moduli->node[node] + moduli->node[families->partner[b]]);
+    const double k = plate->grid.spacing * plate->grid.spacing * n->stiffness * factor * scale;
     block[0] = k * e[0] * e[0];
     block[1] = k * e[0] * e[1];
     block[2] = k * e[1] * e[1];
 }
 
-static void fill_column(const pdmc_bond_plate *plate, const double factor[], int node, int component,
+static void fill_column(const pdmc_bond_plate *plate, const pdmc_bond_moduli *moduli, int node, int component,
                         pdmc_bond_matrix *matrix)
 {
     const pdmc_bond_families *families = &plate->families;
@@ -50,7 +52,7 @@ static void fill_column(const pdmc_bond_plate *plate, const double factor[], int
     for (size_t b = families->start[node]; b < families->start[node + 1]; b++) {
         const int partner = families->partner[b];
         double block[3];
-        bond_block(plate, factor, node, b, block);
+        bond_block(plate, moduli, node, b, block);
         matrix->value[first] += block[component == 0 ? 0 : 2];
         if (has_coupling) matrix->value[first + 1] += block[1];
         for (int i = 0; i < 2; i++) {
@@ -61,13 +63,13 @@ static void fill_column(const pdmc_bond_plate *plate, const double factor[], int
     }
 }
 
-void pdmc_bond_matrix_fill(const pdmc_bond_plate *plate, const double factor[], pdmc_bond_matrix *matrix)
+void pdmc_bond_matrix_fill(const pdmc_bond_plate *plate, const pdmc_bond_moduli *moduli, pdmc_bond_matrix *matrix)
 {
     for (int unknown = 0; unknown < matrix->unknowns; unknown++)
-        fill_column(plate, factor, unknown / 2, unknown % 2, matrix);
+        fill_column(plate, moduli, unknown / 2, unknown % 2, matrix);
 }
 
-pdmc_status pdmc_bond_matrix_create(const pdmc_bond_plate *plate, const double factor[], pdmc_bond_matrix *out)
+pdmc_status pdmc_bond_matrix_create(const pdmc_bond_plate *plate, const pdmc_bond_moduli *moduli, pdmc_bond_matrix *out)
 {
     pdmc_status status = PDMC_OK;
     *out = (pdmc_bond_matrix){.unknowns = 2 * plate->grid.nodes};
@@ -76,7 +78,7 @@ pdmc_status pdmc_bond_matrix_create(const pdmc_bond_plate *plate, const double f
         out->start[unknown + 1] = out->start[unknown] + count_column(plate, unknown / 2, unknown % 2);
     PDMC_NEW(out->row, out->start[out->unknowns]);
     PDMC_NEW(out->value, out->start[out->unknowns]);
-    pdmc_bond_matrix_fill(plate, factor, out);
+    pdmc_bond_matrix_fill(plate, moduli, out);
 done:
     if (status != PDMC_OK) pdmc_bond_matrix_clear(out);
     return status;

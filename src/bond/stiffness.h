@@ -21,7 +21,13 @@ typedef struct {
 PDMC_NODISCARD pdmc_status pdmc_bond_multiply(const pdmc_bond_plate *plate, int threads, const double factor[],
                                               const double x[], double y[]);
 
-/// The lower triangle of K by columns, for factors of the shells; held unknowns have a 1 on the diagonal and nothing
+/// What the mean stiffness of a bond is multiplied by: shell[m] + (node[i] + node[j]) / 2.
+typedef struct {
+    const double *shell; // [shells]
+    const double *node;  // [nodes], or NULL for 0
+} pdmc_bond_moduli;
+
+/// The lower triangle of K by columns, for moduli of the bonds; held unknowns have a 1 on the diagonal and nothing
 /// else, and what they do to the free ones is left to pdmc_bond_multiply().
 typedef struct {
     int unknowns;
@@ -30,10 +36,9 @@ typedef struct {
     double *value;
 } pdmc_bond_matrix;
 
-/// @param[in]  factor  [shells]
-/// @param[out] out     free with pdmc_bond_matrix_clear(); zero on failure
-PDMC_NODISCARD pdmc_status pdmc_bond_matrix_create(const pdmc_bond_plate *plate, const double factor[],
+/// @param[out] out  free with pdmc_bond_matrix_clear(); zero on failure
+PDMC_NODISCARD pdmc_status pdmc_bond_matrix_create(const pdmc_bond_plate *plate, const pdmc_bond_moduli *moduli,
                                                    pdmc_bond_matrix *out);
 /// New values on the same pattern.
-void pdmc_bond_matrix_fill(const pdmc_bond_plate *plate, const double factor[], pdmc_bond_matrix *matrix);
+void pdmc_bond_matrix_fill(const pdmc_bond_plate *plate, const pdmc_bond_moduli *moduli, pdmc_bond_matrix *matrix);
 void pdmc_bond_matrix_clear(pdmc_bond_matrix *matrix);

@@ -24,7 +24,7 @@ static double *draw_many(size_t count, double low, double high)
 static double *dense(const pdmc_bond_plate *plate, const double factor[])
 {
     pdmc_bond_matrix matrix;
-    CHECK_OK(pdmc_bond_matrix_create(plate, factor, &matrix));
+    CHECK_OK(pdmc_bond_matrix_create(plate, &(pdmc_bond_moduli){.shell = factor}, &matrix));
     const size_t n = (size_t)matrix.unknowns;
     double *full = test_calloc(n * n, sizeof *full);
     for (size_t column = 0; column < n; column++) {
@@ -346,7 +346,8 @@ static void failures_are_clean(void **state)
     double *x = draw_many(PDMC_BLOCK * n, 0.0, 1.0), *y = draw_many(PDMC_BLOCK * n, 0.0, 1.0);
     double *factor = draw_many(PDMC_BLOCK * shells, 1.0, 1.0);
     CHECK_FAILS_CLEANLY(pdmc_bond_multiply(&p.made, 1, factor, x, y), (void)0);
-    CHECK_FAILS_CLEANLY(pdmc_bond_matrix_create(&p.made, factor, &matrix), pdmc_bond_matrix_clear(&matrix));
+    const pdmc_bond_moduli moduli = {.shell = factor};
+    CHECK_FAILS_CLEANLY(pdmc_bond_matrix_create(&p.made, &moduli, &matrix), pdmc_bond_matrix_clear(&matrix));
     test_free(factor);
     test_free(y);
     test_free(x);
