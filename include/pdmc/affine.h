@@ -2,8 +2,9 @@
 #pragma once
 
 /// An affine model, what every discretisation gives to the stochastic solvers:
-///     K(xi) x = s_0 F_0 + s_1 F_1,   K(xi) = K_0 + sum_m xi_m K_m,
-/// F_0 the held displacements, F_1 the loads; x in coordinates of the discretisation's choice. The first coefficients xi, the
+///     K(xi) x = sum_l s_l F_l,   K(xi) = K_0 + sum_m xi_m K_m,
+/// F_0 the held displacements, F_1 the loads as the problem gives them, the others what may be added to these where loads
+/// vary by themselves; x in coordinates of the discretisation's choice. The first coefficients xi, the
 /// effective modulus and the weights of the energy are linear in the relative deviations eta_b = c_b / c_0 - 1 of the
 /// micromodulus in its bins; the other coefficients are those of a stiffness that varies in space.
 
@@ -37,10 +38,11 @@ typedef struct {
     /// @param[out] y   [PDMC_BLOCK, unknowns]
     pdmc_status (*perturb)(const pdmc_affine *model, const double xi[], const double x[], double y[]);
 
-    /// Solves K(xi) x = s_0 F_0 + s_1 F_1 by its own factorisation.
-    /// @param[out] x  [unknowns]
+    /// Solves K(xi) x = sum_l s_l F_l by its own factorisation.
+    /// @param[in]  scale  [cases] s
+    /// @param[out] x      [unknowns]
     /// @return PDMC_OK, PDMC_ERR_SINGULAR, or PDMC_ERR_NOMEM
-    pdmc_status (*solve)(const pdmc_affine *model, const double xi[], const double scale[2], double x[]);
+    pdmc_status (*solve)(const pdmc_affine *model, const double xi[], const double scale[], double x[]);
 
     /// Y = (mean K_0 + sum_m xi_m K_m) X and Z = K_0^-1 R, column by column, where K is symmetric positive definite on the
     /// unknowns that are not held; NULL elsewhere. Held unknowns of Y are 0, and so are those of Z where R has a 0.
@@ -90,12 +92,13 @@ enum { PDMC_BOND_ENDS = 4 };
 struct pdmc_affine {
     const pdmc_affine_family *family; // the caller's; NULL where every sample has the model's own plate
     int unknowns, terms, bins;
+    int cases; // of the loads, >= 2
     /// The first of the terms are those of c(r). Where the model has none although there are bins, c(r) acts by the
     /// effective modulus alone: K(xi) = (E_eff / E) (K_0 + sum_m xi_m K_m).
     int radial_terms;
     double *term_weight;    // [bins, radial_terms] xi_m = sum_b eta_b term_weight[b][m]
     double *modulus_weight; // [bins] E_eff / E = 1 + sum_b eta_b modulus_weight[b]
-    double *solution[2];    // [unknowns] each: K_0^-1 F_0 and K_0^-1 F_1
+    double *solution;       // [cases, unknowns] K_0^-1 F_l
 
     /// The stiffness in space, whose coefficients are the other terms; NULL where it is the same everywhere. It belongs to
     /// the discretisation.
@@ -120,6 +123,12 @@ struct pdmc_affine {
     void *discretisation;
     double operator_seconds, energy_seconds; // wall time of making the operators and the crossings
 };
+
+/// K_0^-1 F_l.
+static inline const double *pdmc_affine_solution(const pdmc_affine *model, int l)
+{
+    return &model->solution[(size_t)l * (size_t)model->unknowns];
+}
 
 /// A zeroed model is allowed.
 PDMC_API void pdmc_affine_clear(pdmc_affine *model);

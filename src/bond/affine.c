@@ -67,7 +67,7 @@ static pdmc_status perturb(const pdmc_affine *model, const double xi[], const do
     return status == PDMC_OK ? precondition(model, y, y) : status;
 }
 
-static pdmc_status solve(const pdmc_affine *model, const double xi[], const double scale[2], double x[])
+static pdmc_status solve(const pdmc_affine *model, const double xi[], const double scale[], double x[])
 {
     pdmc_status status = PDMC_OK;
     const pdmc_bond *bond = bond_of(model);
@@ -134,10 +134,9 @@ static pdmc_status fill_solutions(const pdmc_bond *bond, pdmc_affine *model)
     model->discretisation = (void *)bond;
     model->unknowns = bond->unknowns;
     model->micromodulus = pdmc_micromodulus(&bond->problem->material, bond->problem->solver.horizon);
-    for (int l = 0; l < 2; l++) {
-        PDMC_NEW(model->solution[l], n);
-        memcpy(model->solution[l], bond->solution[l], n * sizeof(double));
-    }
+    model->cases = 2;
+    PDMC_NEW(model->solution, 2 * n);
+    for (size_t l = 0; l < 2; l++) memcpy(&model->solution[l * n], bond->solution[l], n * sizeof(double));
     PDMC_NEW(model->stress_intensity, 2 * (size_t)model->tips * n);
     for (int t = 0; t < model->tips; t++) {
         double *row = &model->stress_intensity[2 * (size_t)t * n];

@@ -50,7 +50,7 @@ static void add_rings(const sampled_operator *rings, int terms, const double xi[
     }
 }
 
-static pdmc_status solve(const pdmc_affine *model, const double xi[], const double scale[2], double x[])
+static pdmc_status solve(const pdmc_affine *model, const double xi[], const double scale[], double x[])
 {
     pdmc_status status = PDMC_OK;
     const sampled_operator *rings = model->discretisation;
@@ -151,11 +151,11 @@ static pdmc_status create_operator(const pdmc_kansa *kansa, pdmc_affine *model)
     PDMC_TRY(find_response(kansa, model->terms, size, rings));
     if (kansa->problem->sampling.inverse == PDMC_INVERSE_DIRECT) PDMC_TRY(whiten_rings(kansa, model->terms, rings));
     model->unknowns = rings->response.dimension;
-    for (int l = 0; l < 2; l++) {
-        PDMC_NEW(model->solution[l], model->unknowns);
+    model->cases = 2;
+    PDMC_NEW(model->solution, 2 * model->unknowns);
+    for (int l = 0; l < 2; l++)
         cblas_dgemv(CblasRowMajor, CblasNoTrans, model->unknowns, kansa->unknowns, 1.0, rings->response.basis,
-                    kansa->unknowns, kansa->whitened[l], 1, 0.0, model->solution[l], 1);
-    }
+                    kansa->unknowns, kansa->whitened[l], 1, 0.0, &model->solution[l * model->unknowns], 1);
 done:
     return status;
 }

@@ -145,14 +145,14 @@ done:
     return status;
 }
 
-static pdmc_status solve(const pdmc_affine *model, const double xi[], const double scale[2], double x[])
+static pdmc_status solve(const pdmc_affine *model, const double xi[], const double scale[], double x[])
 {
     pdmc_status status = PDMC_OK;
     const int n = model->unknowns;
     double *K = NULL;
     PDMC_NEW(K, (size_t)n * (size_t)n);
     PDMC_TRY(assemble(model, xi, K));
-    for (int i = 0; i < n; i++) x[i] = scale[0] * model->solution[0][i] + scale[1] * model->solution[1][i];
+    cblas_dgemv(CblasRowMajor, CblasTrans, model->cases, n, 1.0, model->solution, n, scale, 1, 0.0, x, 1);
     const int info = LAPACKE_dposv(LAPACK_COL_MAJOR, 'L', n, 1, K, n, x, n);
     if (info > 0) PDMC_FAIL(PDMC_ERR_SINGULAR, "the sample's stiffness is not positive definite");
     if (info < 0) PDMC_FAIL(PDMC_ERR_EXTERN, "LAPACKE_dposv returned %d", info);

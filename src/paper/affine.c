@@ -35,7 +35,7 @@ static pdmc_status perturb(const pdmc_affine *model, const double xi[], const do
     return pdmc_response_perturb(&expansion->response, model->terms, PDMC_BLOCK, xi, x, y);
 }
 
-static pdmc_status solve(const pdmc_affine *model, const double xi[], const double scale[2], double x[])
+static pdmc_status solve(const pdmc_affine *model, const double xi[], const double scale[], double x[])
 {
     pdmc_status status = PDMC_OK;
     const expanded_operator *expansion = model->discretisation;
@@ -124,11 +124,11 @@ static pdmc_status create_operator(const pdmc_paper *paper, pdmc_affine *model)
     PDMC_TRY(pdmc_radial_weights(model));
     PDMC_TRY(find_response(model, noise ? noise->variation : 0.0, expansion));
     model->unknowns = expansion->response.dimension;
-    for (int l = 0; l < 2; l++) {
-        PDMC_NEW(model->solution[l], model->unknowns);
+    model->cases = 2;
+    PDMC_NEW(model->solution, 2 * model->unknowns);
+    for (int l = 0; l < 2; l++)
         cblas_dgemv(CblasRowMajor, CblasNoTrans, model->unknowns, paper->unknowns, 1.0, expansion->response.basis,
-                    paper->unknowns, paper->load[l], 1, 0.0, model->solution[l], 1);
-    }
+                    paper->unknowns, paper->load[l], 1, 0.0, &model->solution[l * model->unknowns], 1);
 done:
     return status;
 }

@@ -9,7 +9,7 @@ void pdmc_affine_clear(pdmc_affine *model)
     pdmc_free(model->modulus_weight);
     pdmc_free(model->tip_stiffness);
     pdmc_free(model->direction_stiffness);
-    for (int l = 0; l < 2; l++) pdmc_free(model->solution[l]);
+    pdmc_free(model->solution);
     pdmc_free(model->stress_intensity);
     pdmc_free(model->ring_weight);
     for (int d = 0; model->crossings && d < model->tips * model->angles; d++) {

@@ -31,6 +31,7 @@ static pdmc_status allocate(pdmc_block *block)
     PDMC_NEW(block->x, B * unknowns);
     PDMC_NEW(block->term, B * unknowns);
     PDMC_NEW(block->next, B * unknowns);
+    PDMC_NEW(block->scale, model->cases);
     PDMC_NEW(block->stretch, B * (size_t)most_bonds(model));
     PDMC_NEW(block->ring_sum, B * (size_t)model->rings);
     PDMC_NEW(block->observed, B * (size_t)model->observed);
@@ -72,6 +73,7 @@ void pdmc_block_destroy(pdmc_block **block)
     pdmc_free(old->x);
     pdmc_free(old->term);
     pdmc_free(old->next);
+    pdmc_free(old->scale);
     pdmc_free(old->stretch);
     pdmc_free(old->ring_sum);
     pdmc_free(old->observed);
@@ -125,11 +127,13 @@ pdmc_status pdmc_block_draw(pdmc_block *block, int first, int count)
 // K_0^-1 F: the mean operator's answer to each sample's loads.
 static void start(pdmc_block *block)
 {
-    const int n = block->model->unknowns;
-    memcpy(block->x, block->model->solution[0], (size_t)n * sizeof(double));
-    for (int s = 1; s < B; s++) memcpy(&block->x[s * n], block->x, (size_t)n * sizeof(double));
-    for (int s = 0; s < B; s++)
-        cblas_daxpy(n, block->drawn.draw[s].load_share, block->model->solution[1], 1, &block->x[s * n], 1);
+    const size_t n = (size_t)block->model->unknowns;
+    for (size_t s = 0; s < B; s++) {
+        double *x = &block->x[s * n];
+        memcpy(x, pdmc_affine_solution(block->model, 0), n * sizeof *x);
+        for (int l = 1; l < block->model->cases; l++)
+            cblas_daxpy((int)n, pdmc_draw_scale(&block->drawn.draw[s], l), pdmc_affine_solution(block->model, l), 1, x, 1);
+    }
 }
 
 // The norm is that of the mean operator's response, |K_0 x|, in coordinates in which K_0 is orthogonal.
@@ -166,9 +170,9 @@ static pdmc_status expand(pdmc_block *block)
 static pdmc_status solve_one_directly(pdmc_block *block, int s)
 {
     const pdmc_affine *model = block->model;
-    const double scale[2] = {1.0, block->drawn.draw[s].load_share};
+    for (int l = 0; l < model->cases; l++) block->scale[l] = pdmc_draw_scale(&block->drawn.draw[s], l);
     const pdmc_status status =
-        model->verbs->solve(model, block->drawn.draw[s].xi, scale, &block->x[s * model->unknowns]);
+        model->verbs->solve(model, block->drawn.draw[s].xi, block->scale, &block->x[s * model->unknowns]);
     if (status != PDMC_ERR_SINGULAR) return status;
     block->failure[s] = PDMC_SAMPLE_SINGULAR;
     return PDMC_OK;

@@ -14,6 +14,7 @@ typedef struct {
     int sample[PDMC_BLOCK];   // -1 for the mean
     pdmc_draws drawn;
     double *x, *term, *next;        // [unknowns] solution, last and next term of the expansion
+    double *scale;                  // [cases] of one sample's loads
     double contraction[PDMC_BLOCK]; // of the expansion
     double residual[PDMC_BLOCK];    // of the iteration
     pdmc_reduced_bound bound;       // of the reduced model; its errors are all NaN with another inverse

@@ -55,6 +55,7 @@ void pdmc_draw_complete(const pdmc_problem *problem, const pdmc_affine *model, p
     draw->effective_modulus = radial * draw->energy_factor;
     draw->load_factor = scalar(draw, PDMC_QUANTITY_LOAD) / thickness;
     draw->load_share = draw->load_factor / (divided * draw->energy_factor);
+    for (int l = 0; l < model->cases; l++) draw->load_pattern[l] = l == 1;
     fill_radial_terms(model, divided, draw);
     fill_local_stiffness(model, draw);
 }

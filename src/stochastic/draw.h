@@ -6,19 +6,26 @@
 
 /// The random quantities of one sample and what follows from them. With s the effective modulus of the sample's c(r) over
 /// the mean's, K(c) = s K(c / s): the terms hold what is left of c(r) when it is divided by s, which is small whatever s
-/// is, and the answer is x = K(xi)^-1 (F_0 + load_share F_1).
+/// is, and the answer is x = K(xi)^-1 (F_0 + load_share sum_l load_pattern_l F_l), l >= 1.
 typedef struct {
     double value[PDMC_SCALARS]; // of the scalar quantities, each in its unit
     double load_factor;         // on the tractions
     double load_share;          // load_factor over the modulus that was divided out
     double effective_modulus;   // E_eff / E, of c(r) and of E together
     double energy_factor;       // E / mean E, by which bonds are stiffer beyond their c(r)
+    double *load_pattern;       // [model's cases] 0 for F_0, 1 for the loads as the problem gives them, then what is added
     double *micromodulus;       // [bins] c_b / c_0
     double *xi;                 // [terms]
     double *ring_weight;        // [energy rings] g_q
     double *tip_modulus;        // [tips] E_eff at the tip over the mean E
     double *direction_modulus;  // [tips, angles] of the bonds that cross there, beyond c(r), over the mean
 } pdmc_draw;
+
+/// s_l of the sample's right-hand side sum_l s_l F_l.
+static inline double pdmc_draw_scale(const pdmc_draw *draw, int l)
+{
+    return l == 0 ? 1.0 : draw->load_share * draw->load_pattern[l];
+}
 
 /// The fracture energy of the sample, force / length.
 double pdmc_draw_fracture_energy(const pdmc_draw *draw);

@@ -3,6 +3,7 @@
 
 #include "base/base_impl.h"
 
+#include <cblas.h>
 #include <lapacke.h>
 #include <math.h>
 #include <string.h>
@@ -45,7 +46,9 @@ static pdmc_status solve_in_space(pdmc_block *block, int s)
     PDMC_NEW(matrix, (size_t)n * (size_t)n);
     PDMC_NEW(pivot, n);
     PDMC_TRY(fill_columns(model, block->drawn.draw[s].xi, matrix));
-    for (int k = 0; k < n; k++) x[k] = model->solution[0][k] + block->drawn.draw[s].load_share * model->solution[1][k];
+    memset(x, 0, (size_t)n * sizeof *x);
+    for (int l = 0; l < model->cases; l++)
+        cblas_daxpy(n, pdmc_draw_scale(&block->drawn.draw[s], l), pdmc_affine_solution(model, l), 1, x, 1);
     const int info = LAPACKE_dgesv(LAPACK_COL_MAJOR, n, 1, matrix, n, pivot, x, n);
     block->failure[s] = info == 0 ? PDMC_SAMPLE_OK : PDMC_SAMPLE_SINGULAR;
     block->solver[s] = PDMC_SOLVED_IN_SPACE;

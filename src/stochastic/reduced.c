@@ -98,12 +98,13 @@ done:
 static pdmc_status reduce_vectors(const pdmc_reduced_builder *b, pdmc_affine *reduced)
 {
     pdmc_status status = PDMC_OK;
+    const pdmc_affine *full = b->full;
     const int n = b->n, r = b->system->dimension;
     reduced->unknowns = r;
-    for (int l = 0; l < 2; l++) PDMC_NEW(reduced->solution[l], r);
+    PDMC_NEW(reduced->solution, full->cases * r);
     PDMC_NEW(reduced->stress_intensity, 2 * reduced->tips * r);
-    cblas_dgemv(CblasRowMajor, CblasNoTrans, r, n, 1.0, b->image, n, b->full->solution[1], 1, 0.0, reduced->solution[1],
-                1);
+    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, full->cases, r, n, 1.0, full->solution, n, b->image, n, 0.0,
+                reduced->solution, r);
     if (reduced->tips > 0)
         cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, 2 * reduced->tips, r, n, 1.0, b->full->stress_intensity, n,
                     b->basis, n, 0.0, reduced->stress_intensity, r);
@@ -143,7 +144,8 @@ pdmc_status pdmc_reduced_create(const pdmc_variables *variables, const pdmc_redu
     PDMC_TRY(pdmc_reduced_builder_create(goal, &b));
     PDMC_TRY(pdmc_reduced_build(goal, &b));
     // Draws take their weights from the full model.
-    *reduced = (pdmc_affine){.terms = full->terms,
+    *reduced = (pdmc_affine){.cases = full->cases,
+                             .terms = full->terms,
                              .radial_terms = full->radial_terms,
                              .rings = full->rings,
                              .tips = full->tips,

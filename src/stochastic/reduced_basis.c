@@ -72,7 +72,7 @@ static pdmc_status make_loads(pdmc_reduced_builder *b)
     const size_t n = (size_t)b->n;
     const int sides = b->system->sides;
     memset(b->block, 0, B * n * sizeof *b->block);
-    memcpy(b->block, b->full->solution[1], n * sizeof *b->block);
+    memcpy(b->block, pdmc_affine_solution(b->full, 1), n * sizeof *b->block);
     const pdmc_status status = b->full->verbs->multiply(b->full, 1.0, b->none, b->block, b->product);
     if (status != PDMC_OK) return status;
     memcpy(b->load, b->product, n * sizeof *b->load);

@@ -186,7 +186,7 @@ pdmc_status pdmc_draws_create(const pdmc_variables *variables, pdmc_draws *out)
 {
     pdmc_status status = PDMC_OK;
     const pdmc_affine *model = variables->model;
-    const int each = model->bins + model->rings + model->tips + model->tips * model->angles;
+    const int each = model->bins + model->rings + model->tips + model->tips * model->angles + model->cases;
     *out = (pdmc_draws){0};
     PDMC_NEW(out->z, PDMC_BLOCK * (size_t)variables->count);
     PDMC_NEW(out->xi, PDMC_BLOCK * (size_t)model->terms);
@@ -198,6 +198,7 @@ pdmc_status pdmc_draws_create(const pdmc_variables *variables, pdmc_draws *out)
         draw->ring_weight = draw->micromodulus + model->bins;
         draw->tip_modulus = draw->ring_weight + model->rings;
         draw->direction_modulus = draw->tip_modulus + model->tips;
+        draw->load_pattern = draw->direction_modulus + model->tips * model->angles;
     }
 done:
     if (status != PDMC_OK) pdmc_draws_clear(out);

@@ -44,7 +44,7 @@ static void project(const response_model *made, const double u[], double y[])
                 1);
 }
 
-static pdmc_status solve(const pdmc_affine *model, const double xi[], const double scale[2], double x[])
+static pdmc_status solve(const pdmc_affine *model, const double xi[], const double scale[], double x[])
 {
     pdmc_status status = PDMC_OK;
     const response_model *made = model->discretisation;
@@ -117,10 +117,9 @@ static pdmc_status create_model(const pdmc_visible *visible, pdmc_affine *model)
     pdmc_radial_sizes(model, noise ? noise->variation : 0.0, size);
     PDMC_TRY(find_response(visible, model, size, made));
     model->unknowns = made->response.dimension;
-    for (int l = 0; l < 2; l++) {
-        PDMC_NEW(model->solution[l], model->unknowns);
-        project(made, visible->solution[l], model->solution[l]);
-    }
+    model->cases = 2;
+    PDMC_NEW(model->solution, 2 * model->unknowns);
+    for (int l = 0; l < 2; l++) project(made, visible->solution[l], &model->solution[l * model->unknowns]);
 done:
     return status;
 }

@@ -20,7 +20,7 @@ static void true_errors(const cracked *c, const pdmc_affine *reduced, const doub
     const int n = c->model.unknowns;
     double residual[B], *x = pdmc_calloc((size_t)B * (size_t)n, sizeof *x),
                         *Kx = pdmc_calloc((size_t)B * (size_t)n, sizeof *Kx);
-    for (int s = 0; s < B; s++) memcpy(&x[s * n], c->model.solution[1], (size_t)n * sizeof *x);
+    for (int s = 0; s < B; s++) memcpy(&x[s * n], pdmc_affine_solution(&c->model, 1), (size_t)n * sizeof *x);
     CHECK_OK(pdmc_krylov_solve(&c->model, xi, 1e-12, x, residual));
     CHECK_OK(c->model.verbs->multiply(&c->model, 1.0, xi, x, Kx));
     // Galerkin: e' K e = x' K x - y' V' F, and V' F = V' K_0 x_0 are the coordinates of the mean's answer.
@@ -28,7 +28,7 @@ static void true_errors(const cracked *c, const pdmc_affine *reduced, const doub
         const double work = cblas_ddot(n, &x[s * n], 1, &Kx[s * n], 1);
         double reduced_work = 0.0;
         for (int j = 0; j < reduced->unknowns; j++)
-            reduced_work += y[s * reduced->unknowns + j] * reduced->solution[1][j];
+            reduced_work += y[s * reduced->unknowns + j] * pdmc_affine_solution(reduced, 1)[j];
         error[s] = sqrt(fmax(work - reduced_work, 0.0));
     }
     pdmc_free(x);

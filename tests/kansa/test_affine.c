@@ -182,7 +182,8 @@ static void a_uniform_deviation_scales_the_modulus(void **state)
     }
     CHECK_NEAR(modulus, 1.25, 1e-13);
     CHECK_OK(model.verbs->solve(&model, xi, scale, x));
-    for (int i = 0; i < model.unknowns; i++) CHECK_NEAR(1.25 * x[i], model.solution[0][i] + model.solution[1][i], 2e-5);
+    const double *held = pdmc_affine_solution(&model, 0), *loads = pdmc_affine_solution(&model, 1);
+    for (int i = 0; i < model.unknowns; i++) CHECK_NEAR(1.25 * x[i], held[i] + loads[i], 2e-5);
     free(xi);
     free(x);
     pdmc_affine_clear(&model);

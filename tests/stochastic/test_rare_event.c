@@ -83,7 +83,7 @@ typedef struct {
     int tips[2];
 } two_tips;
 
-static pdmc_status two_tips_solve(const pdmc_affine *model, const double xi[], const double scale[2], double x[])
+static pdmc_status two_tips_solve(const pdmc_affine *model, const double xi[], const double scale[], double x[])
 {
     (void)model;
     for (int t = 0; t < 2; t++) x[t] = scale[1] / (1.0 + xi[t]);
@@ -112,7 +112,7 @@ static void two_tips_make(two_tips *t)
     model->ring_weight = t->ring_weight;
     model->crossings = t->crossing;
     model->verbs = &two_tips_verbs;
-    for (int l = 0; l < 2; l++) model->solution[l] = t->solution[l];
+    model->solution = t->solution[0];
     pdmc_problem *problem = &t->base.problem;
     problem->uncertainties = t->quantities;
     problem->material.fracture_energy = strength * strength;

@@ -13,7 +13,7 @@ typedef struct {
     pdmc_uncertainty uncertainties[2];
     int tip;
     pdmc_affine model;
-    double term, modulus, zero, one, intensity[2];
+    double term, modulus, solution[2], intensity[2];
     pdmc_crossing crossing[ANGLES];
     double row[ANGLES];
     int ring;
@@ -27,7 +27,7 @@ static inline pdmc_status toy_perturb(const pdmc_affine *model, const double xi[
     return PDMC_OK;
 }
 
-static inline pdmc_status toy_solve(const pdmc_affine *model, const double xi[], const double scale[2], double x[])
+static inline pdmc_status toy_solve(const pdmc_affine *model, const double xi[], const double scale[], double x[])
 {
     (void)model;
     if (fabs(1.0 + xi[0]) < 0.05) return PDMC_ERR_SINGULAR;
@@ -54,7 +54,7 @@ static inline pdmc_uncertainty toy_scalar(pdmc_quantity quantity, pdmc_distribut
 
 static inline void toy_make(toy *t, double micromodulus_variation, double load_variation)
 {
-    *t = (toy){.one = 1.0, .term = 1.0, .modulus = 0.0, .intensity = {1.0, 0.0}};
+    *t = (toy){.solution = {0.0, 1.0}, .term = 1.0, .modulus = 0.0, .intensity = {1.0, 0.0}};
     t->uncertainties[0] =
         (pdmc_uncertainty){PDMC_QUANTITY_MICROMODULUS, .bins = 1, .variation = micromodulus_variation};
     t->uncertainties[1] = toy_scalar(PDMC_QUANTITY_LOAD, PDMC_NORMAL, 1.0, load_variation);
@@ -73,7 +73,8 @@ static inline void toy_make(toy *t, double micromodulus_variation, double load_v
         .bins = 1,
         .term_weight = &t->term,
         .modulus_weight = &t->modulus,
-        .solution = {&t->zero, &t->one},
+        .cases = 2,
+        .solution = t->solution,
         .tips = 1,
         .angles = ANGLES,
         .stress_intensity = t->intensity,
