@@ -10,7 +10,8 @@
 
 enum { PDMC_NAME_SIZE = 64 }; // with the terminating zero
 
-typedef enum { PDMC_STATIC, PDMC_DYNAMIC } pdmc_problem_kind;
+/// Of an explicit study this struct has the kind, the title and the units; the rest is in pdmc/explicit.h.
+typedef enum { PDMC_STATIC, PDMC_DYNAMIC, PDMC_EXPLICIT } pdmc_problem_kind;
 typedef enum { PDMC_PLANE_STRESS, PDMC_PLANE_STRAIN } pdmc_assumption;
 typedef enum { PDMC_SIDE_LEFT, PDMC_SIDE_RIGHT, PDMC_SIDE_BOTTOM, PDMC_SIDE_TOP } pdmc_side;
 

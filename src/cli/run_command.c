@@ -123,7 +123,8 @@ int check_command(const arguments *given)
 {
     pdmc_study study = {0};
     pdmc_status status = read_study(given, &study);
-    if (status == PDMC_OK) status = pdmc_problem_check_equilibrium(&study.problem);
+    if (status == PDMC_OK && study.problem.kind != PDMC_EXPLICIT)
+        status = pdmc_problem_check_equilibrium(&study.problem);
     if (status == PDMC_OK) {
         const pdmc_cost cost = pdmc_run_cost(&study.problem, given->threads);
         printf("%s\n", study.resolved);

@@ -167,6 +167,7 @@ pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, p
     pdmc_discretisation plate = {0};
     const double start = pdmc_seconds();
     *results = (pdmc_results){.accuracy = pdmc_no_accuracy};
+    if (problem->kind == PDMC_EXPLICIT) return pdmc_raise(PDMC_ERR_CONFIG, "explicit studies cannot be run yet");
     PDMC_TRY(describe_study(study, results));
     PDMC_TRY(describe_geometry(problem, results));
     PDMC_TRY(ask(problem, options));

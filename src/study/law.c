@@ -47,8 +47,9 @@ static void print_given(FILE *out, const pdmc_uncertainty *u)
     const size_t first = offsetof(pdmc_uncertainty, given.has);
     int count = 0;
     for (const pdmc_study_setting *s = pdmc_study_settings; s->key; s++) {
+        if (s->section != SECTION_RANDOM) continue;
         const bool is_values = s->kind == KIND_REALS && u->value_count > 0;
-        const bool is_parameter = s->section == SECTION_RANDOM && first <= s->flag && s->flag < first + PDMC_PARAMETERS;
+        const bool is_parameter = first <= s->flag && s->flag < first + PDMC_PARAMETERS;
         if (is_values || (is_parameter && given_bits(&u->given) & 1U << (s->flag - first)))
             fprintf(out, "%s%s", count++ ? ", " : "", s->key);
     }

@@ -8,13 +8,6 @@
 
 #include <string.h>
 
-static const pdmc_study_setting *find_setting(pdmc_study_section_id section, const char *key)
-{
-    for (const pdmc_study_setting *s = pdmc_study_settings; s->key; s++)
-        if (s->section == section && strcmp(s->key, key) == 0) return s;
-    return NULL;
-}
-
 static bool is_section(const char *name)
 {
     for (int i = SECTION_TOP + 1; i < SECTIONS; i++)
@@ -38,7 +31,7 @@ static pdmc_status refuse_unknown(const pdmc_study_record *r, const char *key)
     for (const pdmc_study_setting *s = pdmc_study_settings; s->key; s++)
         if (s->section == r->section) offer(s->key, &nearest, list.out);
     for (int i = SECTION_TOP + 1; r->section == SECTION_TOP && i < SECTIONS; i++)
-        offer(pdmc_study_sections[i].name, &nearest, list.out);
+        if (i != SECTION_PLANAR_CRACKS) offer(pdmc_study_sections[i].name, &nearest, list.out); // named once already
     PDMC_TRY(pdmc_study_text_close(&list));
     status = *nearest.best
                  ? pdmc_study_refuse(r->reader, address, "unknown setting, did you mean \"%s\"?", nearest.best)
@@ -52,23 +45,36 @@ static pdmc_status check_keys(const pdmc_study_record *r)
 {
     for (int i = 0; r->group && i < config_setting_length(r->group); i++) {
         const char *key = config_setting_name(config_setting_get_elem(r->group, (unsigned)i));
-        const bool known = find_setting(r->section, key) || (r->section == SECTION_TOP && is_section(key));
+        const bool known = pdmc_study_find_setting(r->section, key) || (r->section == SECTION_TOP && is_section(key));
         if (!known) return refuse_unknown(r, key);
     }
     return PDMC_OK;
 }
 
+// The setting that it depends on is a choice or an integer.
+static pdmc_status refuse_of_value(const pdmc_study_record *r, const pdmc_study_setting *s)
+{
+    int value;
+    const pdmc_study_setting *of = pdmc_study_find_setting(r->section, s->of);
+    memcpy(&value, (const char *)r->base + of->offset, sizeof value);
+    if (of->choices)
+        return pdmc_study_refuse(r->reader, pdmc_study_address_of(r, s), "is no setting of the %s \"%s\"", s->of,
+                                 of->choices[value]);
+    return pdmc_study_refuse(r->reader, pdmc_study_address_of(r, s), "is no setting of the %s %d", s->of, value);
+}
+
 static pdmc_status refuse_of_other(const pdmc_study_record *r, const pdmc_study_setting *s)
 {
+    if (s->of) return refuse_of_value(r, s);
     const pdmc_problem *problem = r->reader->problem;
     const char *of = "quantity", *name;
     if (s->quantities) {
         const pdmc_uncertainty *uncertainty = r->base;
-        name = find_setting(r->section, of)->choices[uncertainty->quantity];
+        name = pdmc_study_find_setting(r->section, of)->choices[uncertainty->quantity];
     } else if (problem->solver.method != PDMC_METHOD_KANSA) {
-        name = find_setting(SECTION_SOLVER, of = "method")->choices[problem->solver.method];
+        name = pdmc_study_find_setting(SECTION_SOLVER, of = "method")->choices[problem->solver.method];
     } else {
-        name = find_setting(SECTION_SOLVER, of = "crack_model")->choices[problem->solver.crack_model];
+        name = pdmc_study_find_setting(SECTION_SOLVER, of = "crack_model")->choices[problem->solver.crack_model];
     }
     return pdmc_study_refuse(r->reader, pdmc_study_address_of(r, s), "is no setting of the %s \"%s\"", of, name);
 }
@@ -100,8 +106,9 @@ static pdmc_status read_list(const pdmc_study_reader *reader, pdmc_study_section
     const int count = config_setting_length(list);
     char *items = pdmc_calloc((size_t)count, section->size);
     if (!items) return PDMC_ERR_NOMEM;
-    memcpy((char *)reader->problem + section->items, &items, sizeof items); // owned by the problem from here on
-    memcpy((char *)reader->problem + section->count, &count, sizeof count);
+    char *home = pdmc_study_home(section, reader->problem, reader->motion);
+    memcpy(home + section->items, &items, sizeof items); // owned by the problem from here on
+    memcpy(home + section->count, &count, sizeof count);
 
     pdmc_status status = PDMC_OK;
     for (int i = 0; i < count && status == PDMC_OK; i++) {
@@ -117,17 +124,28 @@ static pdmc_status read_group(const pdmc_study_reader *reader, pdmc_study_sectio
 {
     if (group && !config_setting_is_group(group))
         return pdmc_study_refuse_section(reader, (pdmc_study_address){id, -1, NULL}, "a group, { ... }");
-    return read_record(&(pdmc_study_record){reader, group, id, -1, reader->problem});
+    void *home = pdmc_study_home(&pdmc_study_sections[id], reader->problem, reader->motion);
+    return read_record(&(pdmc_study_record){reader, group, id, -1, home});
 }
 
 // Only what a study of its kind is made of may be in its file.
 static pdmc_status refuse_of_kind(const pdmc_study_reader *reader, pdmc_study_section_id id)
 {
     const pdmc_study_section *section = &pdmc_study_sections[id];
-    const pdmc_study_setting *kind = find_setting(SECTION_TOP, "kind");
+    const pdmc_study_setting *kind = pdmc_study_find_setting(SECTION_TOP, "kind");
     return pdmc_study_refuse(reader, (pdmc_study_address){id, -1, NULL}, "is not part of a study of kind \"%s\"%s%s",
                              kind->choices[reader->problem->kind], section->instead ? ": " : "",
                              section->instead ? section->instead : "");
+}
+
+// Whether the study has the section, or another of the same name.
+static bool has_name(const pdmc_study_reader *reader, const char *name)
+{
+    for (int i = SECTION_TOP; i < SECTIONS; i++) {
+        const pdmc_study_section *section = &pdmc_study_sections[i];
+        if (strcmp(section->name, name) == 0 && pdmc_study_section_belongs(section, reader->problem->kind)) return true;
+    }
+    return false;
 }
 
 pdmc_status pdmc_study_parse(const pdmc_study_reader *reader)
@@ -138,7 +156,7 @@ pdmc_status pdmc_study_parse(const pdmc_study_reader *reader)
         const config_setting_t *at =
             id == SECTION_TOP ? reader->root : config_setting_get_member(reader->root, section->name);
         if (!pdmc_study_section_belongs(section, reader->problem->kind)) {
-            if (at) PDMC_TRY(refuse_of_kind(reader, id));
+            if (at && !has_name(reader, section->name)) PDMC_TRY(refuse_of_kind(reader, id));
             continue;
         }
         PDMC_TRY((section->size > 0 ? read_list : read_group)(reader, id, at));

@@ -11,6 +11,7 @@
 typedef struct {
     FILE *out;
     const pdmc_problem *problem;
+    const pdmc_explicit *motion;
     pdmc_study_units units;
 } writer;
 
@@ -31,13 +32,25 @@ static void write_real(const writer *w, const pdmc_study_setting *s, const void 
     pdmc_study_print_real(w->out, x);
 }
 
+static void write_reals(FILE *out, int count, const double x[])
+{
+    for (int i = 0; i < count; i++) {
+        fputs(i > 0 ? ", " : "[", out);
+        pdmc_study_print_real(out, x[i]);
+    }
+    fputc(']', out);
+}
+
 static void write_pair(const writer *w, const pdmc_study_setting *s, const void *field)
 {
-    fputc('[', w->out);
-    write_real(w, s, field);
-    fputs(", ", w->out);
-    write_real(w, s, (const double *)field + 1);
-    fputc(']', w->out);
+    (void)s;
+    write_reals(w->out, 2, field);
+}
+
+static void write_vector(const writer *w, const pdmc_study_setting *s, const void *field)
+{
+    (void)s;
+    write_reals(w->out, w->motion->dimension, field);
 }
 
 static void write_int(const writer *w, const pdmc_study_setting *s, const void *field)
@@ -90,22 +103,27 @@ static void write_tips(const writer *w, const pdmc_study_setting *s, const void 
     fputc(']', w->out);
 }
 
-static void write_reals(const writer *w, const pdmc_study_setting *s, const void *field)
+static void write_material(const writer *w, const pdmc_study_setting *s, const void *field)
 {
     (void)s;
-    const pdmc_uncertainty *uncertainty = (const pdmc_uncertainty *)((const char *)field - s->offset);
-    fputc('[', w->out);
-    for (int i = 0; i < uncertainty->value_count; i++) {
-        if (i > 0) fputs(", ", w->out);
-        pdmc_study_print_real(w->out, uncertainty->values[i]);
-    }
-    fputc(']', w->out);
+    write_quoted(w->out, w->motion->materials[*(const int *)field].name);
+}
+
+// A list of reals is present only with at least one.
+static void write_array(const writer *w, const pdmc_study_setting *s, const void *field)
+{
+    int count;
+    const double *x;
+    memcpy(&count, (const char *)field - s->offset + s->flag, sizeof count);
+    memcpy(&x, field, sizeof x);
+    write_reals(w->out, count, x);
 }
 
 static write_function *const writers[KINDS] = {
     [KIND_REAL] = write_real, [KIND_OPTIONAL] = write_real, [KIND_PAIR] = write_pair, [KIND_INT] = write_int,
     [KIND_SEED] = write_seed, [KIND_TEXT] = write_text,     [KIND_NAME] = write_name, [KIND_CHOICE] = write_choice,
-    [KIND_TIPS] = write_tips, [KIND_REALS] = write_reals,       [KIND_CRACK] = write_crack,
+    [KIND_TIPS] = write_tips, [KIND_REALS] = write_array,       [KIND_CRACK] = write_crack,
+    [KIND_VECTOR] = write_vector, [KIND_MATERIAL] = write_material,
 };
 
 static bool is_present(const pdmc_study_setting *s, const char *base)
@@ -131,11 +149,11 @@ static void write_record(const writer *w, pdmc_study_section_id section, const c
 static void write_list(const writer *w, pdmc_study_section_id id)
 {
     const pdmc_study_section *section = &pdmc_study_sections[id];
-    const char *problem = (const char *)w->problem;
+    const char *home = pdmc_study_home(section, w->problem, w->motion);
     const char *items;
     int count;
-    memcpy(&items, problem + section->items, sizeof items);
-    memcpy(&count, problem + section->count, sizeof count);
+    memcpy(&items, home + section->items, sizeof items);
+    memcpy(&count, home + section->count, sizeof count);
     fprintf(w->out, "%s = (", section->name);
     for (int i = 0; i < count; i++) {
         fputs(i > 0 ? ", {\n" : "{\n", w->out);
@@ -148,14 +166,15 @@ static void write_list(const writer *w, pdmc_study_section_id id)
 static void write_section(const writer *w, pdmc_study_section_id id)
 {
     const char *name = pdmc_study_sections[id].name;
+    const char *home = pdmc_study_home(&pdmc_study_sections[id], w->problem, w->motion);
     if (pdmc_study_sections[id].size > 0) {
         write_list(w, id);
     } else if (*name) {
         fprintf(w->out, "%s = {\n", name);
-        write_record(w, id, (const char *)w->problem, "    ");
+        write_record(w, id, home, "    ");
         fputs("};\n", w->out);
     } else {
-        write_record(w, id, (const char *)w->problem, "");
+        write_record(w, id, home, "");
     }
 }
 
@@ -166,7 +185,7 @@ pdmc_status pdmc_study_resolve(pdmc_study *study)
     char *resolved = NULL;
     PDMC_TRY(pdmc_study_text_open(&text));
     const pdmc_problem *p = &study->problem;
-    const writer w = {text.out, p, {p->length_unit, p->force_unit, p->time_unit}};
+    const writer w = {text.out, p, &study->motion, {p->length_unit, p->force_unit, p->time_unit}};
     for (pdmc_study_section_id id = SECTION_TOP; id < SECTIONS; id++)
         if (pdmc_study_section_belongs(&pdmc_study_sections[id], p->kind)) write_section(&w, id);
     PDMC_TRY(pdmc_study_text_close(&text));

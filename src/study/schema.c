@@ -11,6 +11,7 @@
 #define CHOICES(...) (const char *const[]) { __VA_ARGS__, NULL }
 #define ONLY(quantity) (1U << (quantity))
 #define IN_PROBLEM(field) offsetof(pdmc_problem, field)
+#define IN_MOTION(field) offsetof(pdmc_explicit, field)
 #define OF(kind) .kinds = ONLY(kind)
 #define FOR(bits) .solvers = (bits)
 #define ANALYTIC ONLY(SOLVER_ANALYTIC)
@@ -19,6 +20,38 @@
 #define BOND ONLY(SOLVER_BOND)
 #define LIST(type, field, length)                                                                                      \
     .size = sizeof(type), .items = offsetof(pdmc_problem, field), .count = offsetof(pdmc_problem, length)
+#define PARTICLE_LIST(type, field, length)                                                                             \
+    .size = sizeof(type), .items = offsetof(pdmc_explicit, field), .count = offsetof(pdmc_explicit, length)
+#define OF_PLATES .kinds = ONLY(PDMC_STATIC) | ONLY(PDMC_DYNAMIC)
+#define WHERE(key, bits) .of = (key), .values = (bits)
+#define PLANE ONLY(2)
+#define BOX ONLY(PDMC_SHAPE_BOX)
+#define CYLINDER ONLY(PDMC_SHAPE_CYLINDER)
+#define BALL ONLY(PDMC_SHAPE_BALL)
+#define SEGMENT ONLY(PDMC_CRACK_SEGMENT)
+#define DISC ONLY(PDMC_CRACK_DISC)
+#define RECTANGLE ONLY(PDMC_CRACK_RECTANGLE)
+// Where a body is, or a condition acts.
+#define SHAPE_OF(section, place)                                                                                       \
+    {section, "shape", KIND_CHOICE, .offset = place(kind), .choices = SHAPES, .fallback = "box",                       \
+     .doc = "a box along the axes, a cylinder along one, a ball, which is a disc in the plane"},                       \
+    {section, "from", KIND_VECTOR, UNIT_LENGTH, ANY, place(from), WHERE("shape", BOX | CYLINDER),                      \
+     .doc = "lowest corner of a box, middle of one end of a cylinder"},                                                \
+    {section, "to", KIND_VECTOR, UNIT_LENGTH, ANY, place(to), WHERE("shape", BOX | CYLINDER),                          \
+     .doc = "highest corner of a box, middle of the other end of a cylinder"},                                         \
+    {section, "centre", KIND_VECTOR, UNIT_LENGTH, ANY, place(centre), WHERE("shape", BALL), .doc = "of a ball"},       \
+    {section, "radius", KIND_REAL, UNIT_LENGTH, POSITIVE, place(radius), WHERE("shape", CYLINDER | BALL),              \
+     .doc = "of a cylinder or a ball"}
+#define OF_BODY(field) offsetof(pdmc_body, shape.field)
+#define OF_LAYER(field) offsetof(pdmc_explicit_condition, layer.region.field)
+#define COMPONENT(key, axis)                                                                                           \
+    {SECTION_CONDITIONS, key, KIND_OPTIONAL, .range = ANY,                                                             \
+     .offset = offsetof(pdmc_explicit_condition, layer.value[axis]),                                                   \
+     .flag = offsetof(pdmc_explicit_condition, layer.along[axis]), .fallback = "free",                                 \
+     .doc = "component in " key ", a velocity or a force on a unit of volume"}
+#define MODULUS(key, field, its_unit, text)                                                                            \
+    {SECTION_PARTICLE_MATERIALS, key, KIND_OPTIONAL, its_unit, POSITIVE, offsetof(pdmc_explicit_material, field),      \
+     .flag = offsetof(pdmc_explicit_material, has_##field), .fallback = "none", .doc = text}
 
 #define MICROMODULUS ONLY(PDMC_QUANTITY_MICROMODULUS)
 #define STIFFNESS ONLY(PDMC_QUANTITY_STIFFNESS)
@@ -37,15 +70,16 @@
 const pdmc_study_section pdmc_study_sections[SECTIONS] = {
     [SECTION_TOP] = {.name = "", .doc = "the study as a whole"},
     [SECTION_UNITS] = {.name = "units", .doc = "of every number in the file, carried to all results"},
-    [SECTION_PLATE] = {.name = "plate", .doc = "the rectangle, its middle at the origin"},
-    [SECTION_MATERIAL] = {.name = "material", .doc = "linear elastic; Poisson's ratio follows from the assumption"},
+    [SECTION_PLATE] = {.name = "plate", .doc = "the rectangle, its middle at the origin", OF_PLATES},
+    [SECTION_MATERIAL] = {.name = "material", .doc = "linear elastic; Poisson's ratio follows from the assumption",
+                          OF_PLATES},
     [SECTION_CRACKS] = {.name = "cracks", .doc = "list of straight cracks inside the plate; tips are <name>.from, .to",
-                        LIST(pdmc_crack, cracks, crack_count), .check = pdmc_study_check_cracks},
-    [SECTION_LOADS] = {.name = "loads", .doc = "list of tractions on whole sides",
+                        OF_PLATES, LIST(pdmc_crack, cracks, crack_count), .check = pdmc_study_check_cracks},
+    [SECTION_LOADS] = {.name = "loads", .doc = "list of tractions on whole sides", OF_PLATES,
                        LIST(pdmc_load, loads, load_count)},
-    [SECTION_SUPPORTS] = {.name = "supports", .doc = "list of sides with prescribed displacements",
+    [SECTION_SUPPORTS] = {.name = "supports", .doc = "list of sides with prescribed displacements", OF_PLATES,
                           LIST(pdmc_support, supports, support_count), .check = pdmc_study_check_loads},
-    [SECTION_SOLVER] = {.name = "solver", .doc = "how the field is computed", .check = pdmc_study_check_solver},
+    [SECTION_SOLVER] = {.name = "solver", .doc = "how the field is computed", OF_PLATES, .check = pdmc_study_check_solver},
     [SECTION_DYNAMICS] = {.name = "dynamics", .doc = "inertia, damping and time of a dynamic study", OF(PDMC_DYNAMIC),
                           .check = pdmc_study_check_dynamics},
     [SECTION_HISTORY] = {.name = "history", OF(PDMC_DYNAMIC),
@@ -67,10 +101,38 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
                              .doc = "the probability that any tip grows, where it is rare, and what it comes from"},
     [SECTION_ENERGY] = {.name = "energy", .doc = "the energy release rates that are asked for",
                         OF(PDMC_STATIC), .check = pdmc_study_check_energy},
+    [SECTION_PARTICLE_GRID] = {.name = "grid", .doc = "of an explicit study: its nodes and how far their bonds reach",
+                               OF(PDMC_EXPLICIT), .check = pdmc_study_check_particle_grid},
+    [SECTION_PARTICLE_MATERIALS] = {.name = "materials", OF(PDMC_EXPLICIT),
+                                    .doc = "of an explicit study: list of the bonds' laws, each with one of the moduli",
+                                    PARTICLE_LIST(pdmc_explicit_material, materials, material_count),
+                                    .check = pdmc_study_check_particle_materials},
+    [SECTION_BODIES] = {.name = "bodies", OF(PDMC_EXPLICIT),
+                        .doc = "of an explicit study: list of what is held together by bonds; where bodies overlap, the "
+                               "last one has the nodes",
+                        PARTICLE_LIST(pdmc_body, bodies, body_count), .check = pdmc_study_check_bodies},
+    [SECTION_PLANAR_CRACKS] = {.name = "cracks", OF(PDMC_EXPLICIT),
+                               .doc = "of an explicit study: list of surfaces whose bonds are broken at the start; the "
+                                      "tips of a segment, <name>.from and .to, are followed",
+                               PARTICLE_LIST(pdmc_planar_crack, cracks, crack_count),
+                               .check = pdmc_study_check_planar_cracks},
+    [SECTION_CONDITIONS] = {.name = "conditions", OF(PDMC_EXPLICIT),
+                            .doc = "of an explicit study: list of velocities or forces prescribed in layers of nodes",
+                            PARTICLE_LIST(pdmc_explicit_condition, conditions, condition_count),
+                            .check = pdmc_study_check_conditions},
+    [SECTION_SPHERES] = {.name = "spheres", OF(PDMC_EXPLICIT),
+                         .doc = "of an explicit study: list of rigid spheres without friction, discs in the plane",
+                         PARTICLE_LIST(pdmc_explicit_sphere, spheres, sphere_count),
+                         .check = pdmc_study_check_spheres},
+    [SECTION_CONTACT] = {.name = "contact", .doc = "of an explicit study: how nodes repel each other", OF(PDMC_EXPLICIT)},
+    [SECTION_TIME] = {.name = "time", .doc = "of an explicit study: how long, in which steps", OF(PDMC_EXPLICIT),
+                      .check = pdmc_study_check_time},
+    [SECTION_RECORD] = {.name = "record", .doc = "of an explicit study: what is kept", OF(PDMC_EXPLICIT),
+                        .check = pdmc_study_check_record},
 };
 
 // In the order of the enumerations in pdmc/problem.h.
-#define STUDY_KINDS CHOICES("static", "dynamic")
+#define STUDY_KINDS CHOICES("static", "dynamic", "explicit")
 #define ASSUMPTIONS CHOICES("plane_stress", "plane_strain")
 #define SIDES CHOICES("left", "right", "bottom", "top")
 #define FACES CHOICES("none", "left", "right")
@@ -93,10 +155,15 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define LINES CHOICES("point", "segment")
 #define BONDS CHOICES("all", "tensile")
 #define MEASURES CHOICES("bond", "griffith")
+#define VOLUMES CHOICES("whole", "tapered")
+#define SHAPES CHOICES("box", "cylinder", "ball")
+#define PLANAR_CRACKS CHOICES("segment", "disc", "rectangle")
+#define CONDITIONS CHOICES("velocity", "force")
 
 const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_TOP, "kind", KIND_CHOICE, .offset = IN_PROBLEM(kind), .choices = STUDY_KINDS, .fallback = "static",
-     .doc = "equilibrium and energy release rates, or motion under a history of the load"},
+     .doc = "equilibrium and energy release rates; motion under a history of the load; or motion with growing cracks, "
+            "impact and contact"},
     {SECTION_TOP, "title", KIND_TEXT, .offset = IN_PROBLEM(title), .fallback = "untitled",
      .doc = "what the study is about, for headings"},
     {SECTION_TOP, "seed", KIND_SEED, .range = NOT_NEGATIVE, .offset = IN_PROBLEM(sampling.seed), .fallback = "1",
@@ -105,7 +172,7 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_UNITS, "length", KIND_TEXT, .offset = IN_PROBLEM(length_unit), .fallback = "m", .doc = "name of the unit"},
     {SECTION_UNITS, "force", KIND_TEXT, .offset = IN_PROBLEM(force_unit), .fallback = "N", .doc = "name of the unit"},
     {SECTION_UNITS, "time", KIND_TEXT, .offset = IN_PROBLEM(time_unit), .fallback = "s",
-     .doc = "name of the unit, of dynamic studies"},
+     .doc = "name of the unit, of dynamic and explicit studies"},
 
     {SECTION_PLATE, "width", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(plate.width), .doc = "extent in x"},
     {SECTION_PLATE, "height", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(plate.height), .doc = "extent in y"},
@@ -317,6 +384,118 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .doc = "whether bonds in compression count"},
     {SECTION_ENERGY, "measure", KIND_CHOICE, .offset = IN_PROBLEM(energy.measure), .choices = MEASURES,
      .fallback = "griffith", .doc = "what P(G > G_c) and the direction are computed from"},
+
+    {SECTION_PARTICLE_GRID, "dimension", KIND_INT, .range = FROM_TO(2, 3), .offset = IN_MOTION(dimension),
+     .doc = "of space"},
+    {SECTION_PARTICLE_GRID, "spacing", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_MOTION(spacing),
+     .doc = "of the nodes, which lie at whole multiples of it plus the offset"},
+    {SECTION_PARTICLE_GRID, "offset", KIND_VECTOR, UNIT_LENGTH, ANY, IN_MOTION(offset), .fallback = "zero",
+     .doc = "of the nodes; half a spacing puts them into the middles of cells that begin at the origin"},
+    {SECTION_PARTICLE_GRID, "horizon_ratio", KIND_OPTIONAL, .range = FROM_TO(1.0, 20.0),
+     .offset = IN_MOTION(horizon_ratio), .flag = IN_MOTION(has_horizon_ratio), .fallback = "3.0 without a horizon",
+     .doc = "the horizon in spacings, instead of its length"},
+    {SECTION_PARTICLE_GRID, "horizon", KIND_OPTIONAL, UNIT_LENGTH, POSITIVE, IN_MOTION(horizon),
+     .flag = IN_MOTION(has_horizon), .fallback = "horizon_ratio spacings", .doc = "length of the longest bond"},
+    {SECTION_PARTICLE_GRID, "volume", KIND_CHOICE, .offset = IN_MOTION(volume_rule), .choices = VOLUMES,
+     .fallback = "tapered",
+     .doc = "of a neighbour: whole inside the horizon, or falling to one half over its last half spacing"},
+    {SECTION_PARTICLE_GRID, "thickness", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_MOTION(thickness), .fallback = "1.0",
+     WHERE("dimension", PLANE), .doc = "extent out of the plane"},
+    {SECTION_PARTICLE_GRID, "assumption", KIND_CHOICE, .offset = IN_MOTION(assumption), .choices = ASSUMPTIONS,
+     .fallback = "plane_stress", WHERE("dimension", PLANE),
+     .doc = "Poisson's ratio is 1/3 in plane stress, 1/4 in plane strain and in space"},
+
+    {SECTION_PARTICLE_MATERIALS, "name", KIND_NAME, .offset = offsetof(pdmc_explicit_material, name),
+     .fallback = "material1, material2, ...", .doc = "each name once"},
+    {SECTION_PARTICLE_MATERIALS, "density", KIND_REAL, UNIT_MASS_DENSITY, POSITIVE,
+     offsetof(pdmc_explicit_material, density), .doc = "mass of a unit of volume"},
+    MODULUS("youngs_modulus", youngs_modulus, UNIT_STRESS, "Young's modulus E"),
+    MODULUS("bulk_modulus", bulk_modulus, UNIT_STRESS, "k = E / (3 (1 - 2 nu)), instead of E"),
+    MODULUS("micromodulus", micromodulus, UNIT_MICROMODULUS, "c of the bond force c s, instead of E"),
+    MODULUS("fracture_energy", fracture_energy, UNIT_LINE_FORCE, "G_0; without it and s_0 bonds never break"),
+    MODULUS("critical_stretch", critical_stretch, UNIT_NONE, "s_0 at which bonds break, instead of G_0"),
+    {SECTION_PARTICLE_MATERIALS, "strengthening", KIND_REAL, .range = NOT_NEGATIVE,
+     .offset = offsetof(pdmc_explicit_material, strengthening), .fallback = "0.0",
+     .doc = "alpha of s_0 - alpha s_min, by which bonds of compressed nodes hold more"},
+
+    {SECTION_BODIES, "name", KIND_NAME, .offset = offsetof(pdmc_body, name), .fallback = "body1, body2, ...",
+     .doc = "each name once"},
+    SHAPE_OF(SECTION_BODIES, OF_BODY),
+    {SECTION_BODIES, "material", KIND_MATERIAL, .offset = offsetof(pdmc_body, material),
+     .fallback = "the first material", .doc = "what it is made of"},
+    {SECTION_BODIES, "velocity", KIND_VECTOR, UNIT_VELOCITY, ANY, offsetof(pdmc_body, velocity), .fallback = "zero",
+     .doc = "at the start"},
+
+    {SECTION_PLANAR_CRACKS, "name", KIND_NAME, .offset = offsetof(pdmc_planar_crack, name),
+     .fallback = "crack1, crack2, ...", .doc = "each name once"},
+    {SECTION_PLANAR_CRACKS, "shape", KIND_CHOICE, .offset = offsetof(pdmc_planar_crack, kind), .choices = PLANAR_CRACKS,
+     .fallback = "segment", .doc = "a segment in the plane, through all z; or a disc or a rectangle in space"},
+    {SECTION_PLANAR_CRACKS, "from", KIND_PAIR, UNIT_LENGTH, ANY, offsetof(pdmc_planar_crack, from),
+     WHERE("shape", SEGMENT), .doc = "one end, [x, y]"},
+    {SECTION_PLANAR_CRACKS, "to", KIND_PAIR, UNIT_LENGTH, ANY, offsetof(pdmc_planar_crack, to),
+     WHERE("shape", SEGMENT), .doc = "the other end, [x, y]"},
+    {SECTION_PLANAR_CRACKS, "centre", KIND_VECTOR, UNIT_LENGTH, ANY, offsetof(pdmc_planar_crack, centre),
+     WHERE("shape", DISC | RECTANGLE), .doc = "of a disc or a rectangle"},
+    {SECTION_PLANAR_CRACKS, "normal", KIND_VECTOR, .range = ANY, .offset = offsetof(pdmc_planar_crack, normal),
+     WHERE("shape", DISC), .doc = "of a disc, of any length"},
+    {SECTION_PLANAR_CRACKS, "radius", KIND_REAL, UNIT_LENGTH, POSITIVE, offsetof(pdmc_planar_crack, radius),
+     WHERE("shape", DISC), .doc = "of a disc"},
+    {SECTION_PLANAR_CRACKS, "first_side", KIND_VECTOR, UNIT_LENGTH, ANY, offsetof(pdmc_planar_crack, side[0]),
+     WHERE("shape", RECTANGLE), .doc = "from the centre of a rectangle to the middle of an edge"},
+    {SECTION_PLANAR_CRACKS, "second_side", KIND_VECTOR, UNIT_LENGTH, ANY, offsetof(pdmc_planar_crack, side[1]),
+     WHERE("shape", RECTANGLE), .doc = "... of the next edge"},
+
+    {SECTION_CONDITIONS, "prescribed", KIND_CHOICE, .offset = offsetof(pdmc_explicit_condition, layer.kind),
+     .choices = CONDITIONS, .fallback = "velocity", .doc = "the velocity of the nodes, or a force on a unit of volume"},
+    SHAPE_OF(SECTION_CONDITIONS, OF_LAYER),
+    COMPONENT("x", 0),
+    COMPONENT("y", 1),
+    COMPONENT("z", 2),
+    {SECTION_CONDITIONS, "times", KIND_REALS, UNIT_TIME, NOT_NEGATIVE,
+     offsetof(pdmc_explicit_condition, layer.history.time),
+     .flag = offsetof(pdmc_explicit_condition, layer.history.count), .fallback = "none",
+     .doc = "[t1, t2, ...] ascending, of the factors; two that are equal are a jump"},
+    {SECTION_CONDITIONS, "factors", KIND_REALS, .range = ANY,
+     .offset = offsetof(pdmc_explicit_condition, layer.history.factor),
+     .flag = offsetof(pdmc_explicit_condition, factor_count), .fallback = "none",
+     .doc = "[f1, f2, ...] on the components at these times, linear in between, constant outside; 1 without any"},
+
+    {SECTION_SPHERES, "name", KIND_NAME, .offset = offsetof(pdmc_explicit_sphere, sphere.name),
+     .fallback = "sphere1, sphere2, ...", .doc = "each name once"},
+    {SECTION_SPHERES, "radius", KIND_REAL, UNIT_LENGTH, POSITIVE, offsetof(pdmc_explicit_sphere, sphere.radius),
+     .doc = "nodes are pushed out of it"},
+    {SECTION_SPHERES, "centre", KIND_VECTOR, UNIT_LENGTH, ANY, offsetof(pdmc_explicit_sphere, sphere.centre),
+     .doc = "at the start"},
+    {SECTION_SPHERES, "velocity", KIND_VECTOR, UNIT_VELOCITY, ANY, offsetof(pdmc_explicit_sphere, sphere.velocity),
+     .fallback = "zero", .doc = "at the start"},
+    {SECTION_SPHERES, "mass", KIND_OPTIONAL, UNIT_MASS, POSITIVE, offsetof(pdmc_explicit_sphere, sphere.mass),
+     .flag = offsetof(pdmc_explicit_sphere, has_mass), .fallback = "none",
+     .doc = "without it the sphere keeps its velocity"},
+    {SECTION_SPHERES, "stiffness", KIND_REAL, UNIT_PENALTY, POSITIVE, offsetof(pdmc_explicit_sphere, sphere.stiffness),
+     .doc = "of the force stiffness (radius - r)^2 on a unit of the volume of a node inside"},
+
+    {SECTION_CONTACT, "distance", KIND_REAL, .range = NOT_NEGATIVE, .offset = IN_MOTION(contact_distance),
+     .fallback = "1.35",
+     .doc = "in spacings, below which nodes repel each other, but not above 0.9 of their first distance; 0 for never"},
+    {SECTION_CONTACT, "stiffness", KIND_REAL, .range = POSITIVE, .offset = IN_MOTION(contact_stiffness),
+     .fallback = "15.0", .doc = "of the repulsion, over that of a bond as long as the horizon"},
+
+    {SECTION_TIME, "duration", KIND_REAL, UNIT_TIME, POSITIVE, IN_MOTION(duration), .doc = "reached by whole steps"},
+    {SECTION_TIME, "step", KIND_OPTIONAL, UNIT_TIME, POSITIVE, IN_MOTION(step), .flag = IN_MOTION(has_step),
+     .fallback = "safety times the largest stable one", .doc = "of time"},
+    {SECTION_TIME, "safety", KIND_REAL, .range = ABOVE_TO(0.0, 1.0), .offset = IN_MOTION(safety), .fallback = "0.8",
+     .doc = "the step over the largest stable one"},
+
+    {SECTION_RECORD, "interval", KIND_OPTIONAL, UNIT_TIME, POSITIVE, IN_MOTION(interval),
+     .flag = IN_MOTION(has_interval), .fallback = "duration / 100",
+     .doc = "from record to record of energies, tips and spheres, in whole steps"},
+    {SECTION_RECORD, "snapshots", KIND_INT, .range = FROM_TO(1, 100000), .offset = IN_MOTION(snapshots),
+     .fallback = "10", .doc = "of displacement, velocity and damage of all nodes, evenly over the records, the end included"},
+    {SECTION_RECORD, "tip_damage", KIND_REAL, .range = {0.0, 1.0, true, true}, .offset = IN_MOTION(tip_damage),
+     .fallback = "0.3", .doc = "damage of a node that a crack has reached"},
+    {SECTION_RECORD, "speed_window", KIND_OPTIONAL, UNIT_TIME, POSITIVE, IN_MOTION(speed_window),
+     .flag = IN_MOTION(has_speed_window), .fallback = "10 intervals",
+     .doc = "of time, over which the speed of a tip is taken by central differences"},
     {.key = NULL},
 };
 
@@ -330,7 +509,9 @@ _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == si
                    sizeof(pdmc_bond_area) == sizeof(int) && sizeof(pdmc_bond_micromodulus) == sizeof(int) &&
                    sizeof(pdmc_energy_line) == sizeof(int) && sizeof(pdmc_radial_model) == sizeof(int) &&
                    sizeof(pdmc_covariance_kind) == sizeof(int) && sizeof(pdmc_design_kind) == sizeof(int) &&
-                   sizeof(pdmc_rare_method) == sizeof(int) && sizeof(pdmc_target) == sizeof(int),
+                   sizeof(pdmc_rare_method) == sizeof(int) && sizeof(pdmc_target) == sizeof(int) &&
+                   sizeof(pdmc_volume_rule) == sizeof(int) && sizeof(pdmc_shape_kind) == sizeof(int) &&
+                   sizeof(pdmc_planar_crack_kind) == sizeof(int) && sizeof(pdmc_condition_kind) == sizeof(int),
                "enumerations of another size");
 
 pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem)
@@ -341,12 +522,33 @@ pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem)
     return problem->solver.method == PDMC_METHOD_BOND ? SOLVER_BOND : of_cracks[problem->solver.crack_model];
 }
 
+const pdmc_study_setting *pdmc_study_find_setting(pdmc_study_section_id section, const char *key)
+{
+    for (const pdmc_study_setting *s = pdmc_study_settings; s->key; s++)
+        if (s->section == section && strcmp(s->key, key) == 0) return s;
+    return NULL;
+}
+
+static bool has_value(const pdmc_study_setting *setting, const void *base)
+{
+    int value;
+    const pdmc_study_setting *of = pdmc_study_find_setting(setting->section, setting->of);
+    memcpy(&value, (const char *)base + of->offset, sizeof value);
+    return setting->values & ONLY(value);
+}
+
 bool pdmc_study_setting_belongs(const pdmc_study_setting *setting, const void *base)
 {
+    if (setting->of) return has_value(setting, base);
     if (setting->solvers != 0) return setting->solvers & ONLY(pdmc_study_solver_of(base));
     if (setting->quantities == 0) return true;
     const pdmc_uncertainty *uncertainty = base;
     return setting->quantities & ONLY(uncertainty->quantity);
+}
+
+void *pdmc_study_home(const pdmc_study_section *section, const pdmc_problem *problem, const pdmc_explicit *motion)
+{
+    return section->kinds == ONLY(PDMC_EXPLICIT) ? (void *)motion : (void *)problem;
 }
 
 bool pdmc_study_section_belongs(const pdmc_study_section *section, pdmc_problem_kind kind)
@@ -365,6 +567,10 @@ void pdmc_study_print_unit(FILE *out, pdmc_study_unit unit, const pdmc_study_uni
     case UNIT_TIME: fputs(time, out); break;
     case UNIT_RATE: fprintf(out, "1/%s", time); break;
     case UNIT_MASS_DENSITY: fprintf(out, "%s %s^2/%s^4", force, time, length); break;
+    case UNIT_MASS: fprintf(out, "%s %s^2/%s", force, time, length); break;
+    case UNIT_VELOCITY: fprintf(out, "%s/%s", length, time); break;
+    case UNIT_MICROMODULUS: fprintf(out, "%s/%s^6", force, length); break;
+    case UNIT_PENALTY: fprintf(out, "%s/%s^5", force, length); break;
     }
 }
 
@@ -383,6 +589,7 @@ void pdmc_study_print_range(FILE *out, const pdmc_study_setting *setting)
     else if (setting->kind == KIND_TEXT) fputs("a text, not empty and without control characters", out);
     else if (setting->kind == KIND_NAME) fprintf(out, "a text of 1 to %d letters, digits, _ or -", PDMC_NAME_SIZE - 1);
     else if (setting->kind == KIND_CRACK) fputs("the name of a crack", out);
+    else if (setting->kind == KIND_MATERIAL) fputs("the name of one of the materials", out);
     else if (setting->kind == KIND_TIPS) fputs("an array of names of tips", out);
     else if (setting->kind == KIND_REALS) fputs("an array of 2 reals or more, [x1, x2, ...]", out);
     else if (!isfinite(range->low)) fputs("finite", out);
@@ -396,7 +603,8 @@ const char *pdmc_study_kind_noun(pdmc_study_kind kind)
 {
     static const char *const nouns[KINDS] = {
         [KIND_REAL] = "a real", [KIND_OPTIONAL] = "a real that is", [KIND_PAIR] = "two reals [x, y], each",
-        [KIND_INT] = "an integer", [KIND_SEED] = "an integer",
+        [KIND_VECTOR] = "as many reals as grid.dimension, [x, y] or [x, y, z], each", [KIND_INT] = "an integer",
+        [KIND_SEED] = "an integer",
     };
     return nouns[kind] ? nouns[kind] : "";
 }

@@ -16,13 +16,14 @@ static pdmc_status parse_text(const pdmc_study_source *source, config_t *config)
                       mixed ? ": the elements must be alike, all with a decimal point or all without" : "");
 }
 
-static pdmc_status read_problem(const pdmc_study_source *source, FILE *warnings, pdmc_problem *problem)
+static pdmc_status read_problem(const pdmc_study_source *source, FILE *warnings, pdmc_study *study)
 {
     config_t config;
     config_init(&config);
     pdmc_status status = parse_text(source, &config);
     if (status == PDMC_OK)
-        status = pdmc_study_parse(&(pdmc_study_reader){source, config_root_setting(&config), problem, warnings});
+        status = pdmc_study_parse(&(pdmc_study_reader){
+            source, config_root_setting(&config), &study->problem, &study->motion, warnings});
     config_destroy(&config);
     return status;
 }
@@ -35,7 +36,7 @@ pdmc_status pdmc_study_read(const char *path, pdmc_study *study)
     *study = (pdmc_study){0};
     PDMC_TRY(pdmc_study_source_read(path, &source));
     PDMC_TRY(pdmc_study_text_open(&warnings));
-    PDMC_TRY(read_problem(&source, warnings.out, &study->problem));
+    PDMC_TRY(read_problem(&source, warnings.out, study));
     PDMC_TRY(pdmc_study_text_close(&warnings));
     PDMC_TRY(pdmc_study_text_copy(&source.input, &study->input));
     PDMC_TRY(pdmc_study_text_copy(&warnings, &study->warnings));
@@ -63,6 +64,7 @@ pdmc_status pdmc_study_set_samples(pdmc_study *study, int samples)
 void pdmc_study_clear(pdmc_study *study)
 {
     pdmc_problem_clear(&study->problem);
+    pdmc_explicit_clear(&study->motion);
     pdmc_free(study->input);
     pdmc_free(study->resolved);
     pdmc_free(study->warnings);

@@ -66,6 +66,15 @@ typedef enum {
     SECTION_SAMPLING,
     SECTION_RELIABILITY,
     SECTION_ENERGY,
+    SECTION_PARTICLE_GRID,
+    SECTION_PARTICLE_MATERIALS,
+    SECTION_BODIES,
+    SECTION_PLANAR_CRACKS,
+    SECTION_CONDITIONS,
+    SECTION_SPHERES,
+    SECTION_CONTACT,
+    SECTION_TIME,
+    SECTION_RECORD,
     SECTIONS
 } pdmc_study_section_id;
 
@@ -73,12 +82,14 @@ typedef enum {
     KIND_REAL,
     KIND_OPTIONAL, // a real that may be absent
     KIND_PAIR,     // two reals
+    KIND_VECTOR,   // as many reals as the explicit study has dimensions
     KIND_INT,
     KIND_SEED, // a 64-bit integer
     KIND_TEXT,
     KIND_NAME, // of a crack or a probe
     KIND_CHOICE,
     KIND_CRACK, // the name of a crack, kept as its number
+    KIND_MATERIAL, // the name of one of the materials of an explicit study, kept as its number
     KIND_TIPS,  // names of crack tips
     KIND_REALS, // an array of reals: offset is that of the pointer, flag that of the count; may be absent
     KINDS
@@ -91,7 +102,11 @@ typedef enum {
     UNIT_LINE_FORCE,
     UNIT_TIME,
     UNIT_RATE,
-    UNIT_MASS_DENSITY
+    UNIT_MASS_DENSITY,
+    UNIT_MASS,
+    UNIT_VELOCITY,
+    UNIT_MICROMODULUS,
+    UNIT_PENALTY // force / length^5, of a sphere
 } pdmc_study_unit;
 
 /// A method, and for the collocation how it treats cracks.
@@ -121,6 +136,8 @@ typedef struct {
     const char *const *planned; // choices that are known, and not available yet; may be NULL
     unsigned quantities;        // the uncertain quantities the key belongs to, as bits; 0 for all
     unsigned solvers;           // the solvers the key belongs to, as bits; 0 for all
+    const char *of;             // a choice or an integer of the same group that the key depends on; NULL for none
+    unsigned values;            // ... its values where the key belongs, as bits
     const char *fallback;       // as it would be written in the file; NULL where the setting is required
     double (*derive)(const pdmc_problem *problem); // the default that depends on other settings; fallback describes it
     const char *doc;
@@ -134,7 +151,7 @@ typedef struct {
     const char *name; // "" for the top of the file
     const char *doc;
     size_t size;                                           // of an element, for a list of groups; 0 for a single group
-    size_t items, count;                                   // offsets in the problem of a list's pointer and length
+    size_t items, count;                                   // offsets at home of a list's pointer and length
     pdmc_status (*check)(const pdmc_study_reader *reader); // what the values mean together; may be NULL
     unsigned kinds;      // the kinds of study the section belongs to, as bits; 0 for all
     const char *instead; // what to say where it does not belong, after which it does; may be NULL
@@ -147,6 +164,10 @@ extern const pdmc_study_setting pdmc_study_settings[]; // by section, in the ord
 /// the solvers.
 bool pdmc_study_setting_belongs(const pdmc_study_setting *setting, const void *base);
 pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem);
+/// The setting of that name, or NULL.
+const pdmc_study_setting *pdmc_study_find_setting(pdmc_study_section_id section, const char *key);
+/// Where the settings of a section are kept: in the problem of a plate, or in that of explicit dynamics.
+void *pdmc_study_home(const pdmc_study_section *section, const pdmc_problem *problem, const pdmc_explicit *motion);
 /// Whether a study of this kind has the section.
 bool pdmc_study_section_belongs(const pdmc_study_section *section, pdmc_problem_kind kind);
 void pdmc_study_print_unit(FILE *out, pdmc_study_unit unit, const pdmc_study_units *units);
@@ -175,6 +196,7 @@ struct pdmc_study_reader {
     const pdmc_study_source *source;
     const config_setting_t *root;
     pdmc_problem *problem; // filled section by section
+    pdmc_explicit *motion; // ... too
     FILE *warnings;
 };
 
@@ -278,3 +300,13 @@ PDMC_NODISCARD pdmc_status pdmc_study_make_law(const pdmc_study_reader *reader, 
 PDMC_NODISCARD pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_reliability(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_energy(const pdmc_study_reader *reader);
+
+// ... of an explicit study (check_explicit.c, check_bodies.c)
+PDMC_NODISCARD pdmc_status pdmc_study_check_particle_grid(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_particle_materials(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_bodies(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_planar_cracks(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_conditions(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_spheres(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_time(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_record(const pdmc_study_reader *reader);

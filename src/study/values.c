@@ -56,18 +56,34 @@ static bool is_sequence(const config_setting_t *value)
     return config_setting_type(value) == CONFIG_TYPE_ARRAY || config_setting_is_list(value);
 }
 
-static pdmc_status read_pair(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value)
+static pdmc_status read_elements(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value,
+                                 int count, double x[])
 {
-    double x[2];
-    if (!is_sequence(value) || config_setting_length(value) != 2) return pdmc_study_refuse_kind(r, s, value);
-    for (unsigned i = 0; i < 2; i++) {
-        const config_setting_t *element = config_setting_get_elem(value, i);
+    if (!is_sequence(value) || config_setting_length(value) != count) return pdmc_study_refuse_kind(r, s, value);
+    for (int i = 0; i < count; i++) {
+        const config_setting_t *element = config_setting_get_elem(value, (unsigned)i);
         if (!config_setting_is_number(element)) return pdmc_study_refuse_kind(r, s, element);
         x[i] = number(element);
         if (!in_range(&s->range, x[i])) return pdmc_study_refuse_value(r, s, element, "");
     }
-    store(r, s, x, sizeof x);
     return PDMC_OK;
+}
+
+static pdmc_status read_pair(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value)
+{
+    double x[2];
+    const pdmc_status status = read_elements(r, s, value, 2, x);
+    if (status == PDMC_OK) store(r, s, x, sizeof x);
+    return status;
+}
+
+// What is not said is zero, as it is out of a plane.
+static pdmc_status read_vector(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value)
+{
+    double x[PDMC_AXES] = {0.0};
+    const pdmc_status status = value ? read_elements(r, s, value, r->reader->motion->dimension, x) : PDMC_OK;
+    if (status == PDMC_OK) store(r, s, x, sizeof x);
+    return status;
 }
 
 static bool is_integer(const config_setting_t *value)
@@ -167,6 +183,20 @@ static pdmc_status read_crack(const pdmc_study_record *r, const pdmc_study_setti
     return status;
 }
 
+static pdmc_status read_material(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value)
+{
+    const pdmc_explicit *motion = r->reader->motion;
+    int material = 0;
+    if (value && config_setting_type(value) != CONFIG_TYPE_STRING) return pdmc_study_refuse_kind(r, s, value);
+    if (value) {
+        const char *name = config_setting_get_string(value);
+        while (material < motion->material_count && strcmp(motion->materials[material].name, name) != 0) material++;
+    }
+    if (material >= motion->material_count) return pdmc_study_refuse_value(r, s, value, "");
+    store(r, s, &material, sizeof material);
+    return PDMC_OK;
+}
+
 static pdmc_status read_tips(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value)
 {
     if (value && !is_sequence(value)) return pdmc_study_refuse_kind(r, s, value);
@@ -195,6 +225,7 @@ static read_function *const readers[KINDS] = {
     [KIND_REAL] = read_real, [KIND_OPTIONAL] = read_optional, [KIND_PAIR] = read_pair,   [KIND_INT] = read_int,
     [KIND_SEED] = read_seed, [KIND_TEXT] = read_text,         [KIND_NAME] = read_name,   [KIND_CHOICE] = read_choice,
     [KIND_TIPS] = read_tips, [KIND_REALS] = read_reals,       [KIND_CRACK] = read_crack,
+    [KIND_VECTOR] = read_vector, [KIND_MATERIAL] = read_material,
 };
 
 pdmc_status pdmc_study_read_value(const pdmc_study_record *r, const pdmc_study_setting *s,

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// A problem of explicit dynamics: bodies of bonds in motion, what acts on them, and what is recorded. Plain data in the
+/// study's own units; see pdmc/particles.h for what is computed.
+
+#include "pdmc/particles.h"
+
+/// A material as it is given: one modulus, and nothing, the fracture energy or the critical stretch.
+typedef struct {
+    char name[PDMC_NAME_SIZE];
+    double density; // mass / length^3, the mass in force time^2 / length
+    bool has_youngs_modulus, has_bulk_modulus, has_micromodulus;
+    double youngs_modulus, bulk_modulus; // force / length^2
+    double micromodulus;                 // force / length^6
+    bool has_fracture_energy, has_critical_stretch; // neither: bonds never break
+    double fracture_energy; // force / length
+    double critical_stretch;
+    double strengthening;
+} pdmc_explicit_material;
+
+/// What is prescribed in a layer; its history has no points where the value is constant.
+typedef struct {
+    pdmc_layer_condition layer;
+    int factor_count; // as the study gives them; that of layer.history is the number of times
+} pdmc_explicit_condition;
+
+typedef struct {
+    pdmc_rigid_sphere sphere;
+    bool has_mass; // otherwise it keeps its velocity
+} pdmc_explicit_sphere;
+
+typedef struct {
+    int dimension; // 2 or 3
+    double spacing, offset[PDMC_AXES];
+    bool has_horizon, has_horizon_ratio; // a study that was read has its horizon
+    double horizon, horizon_ratio;
+    pdmc_volume_rule volume_rule;
+    double thickness;           // in two dimensions
+    pdmc_assumption assumption; // ... too
+    int material_count, body_count, crack_count, condition_count, sphere_count;
+    pdmc_explicit_material *materials;
+    pdmc_body *bodies;
+    pdmc_planar_crack *cracks;
+    pdmc_explicit_condition *conditions;
+    pdmc_explicit_sphere *spheres;
+    double contact_distance, contact_stiffness;
+    double duration;
+    bool has_step; // otherwise `safety` times the stable one
+    double step, safety;
+    bool has_interval, has_speed_window; // a study that was read has both
+    double interval;                     // of time, from record to record
+    int snapshots;                       // states of all nodes that are kept
+    double tip_damage;                   // damage of a node that a crack has reached
+    double speed_window;                 // of time, over which the speed of a tip is taken
+} pdmc_explicit;
+
+/// Frees what the problem owns and sets it to zero; a zeroed one is allowed.
+PDMC_API void pdmc_explicit_clear(pdmc_explicit *problem);
+
+/// The law of a material's bonds: its micromodulus, from Young's or the bulk modulus where these are given, E = 3 k (1 - 2
+/// nu), and its critical stretch, from the fracture energy, or infinite.
+PDMC_API pdmc_brittle_material pdmc_explicit_law(const pdmc_explicit *problem, const pdmc_explicit_material *material);
+
+/// Area or volume of a shape.
+PDMC_API double pdmc_explicit_extent(const pdmc_explicit *problem, const pdmc_shape *shape);
+
+/// What a problem amounts to, before its nodes are placed: bodies as if they did not overlap, whole neighbourhoods at
+/// their surfaces, and so upper bounds of bonds and steps.
+typedef struct {
+    double nodes, bonds, steps;
+} pdmc_explicit_amounts;
+PDMC_API pdmc_explicit_amounts pdmc_explicit_count(const pdmc_explicit *problem);
+
+/// Places the nodes of the problem.
+/// @param[out] particles  to be destroyed by the caller; NULL on failure
+/// @return PDMC_OK, PDMC_ERR_CONFIG with what pdmc_particles_create() refuses, or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_explicit_particles(const pdmc_explicit *problem, int threads,
+                                                            pdmc_particles **particles);

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pdmc/explicit.h"
+
+#include "base/base_impl.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+
+void pdmc_explicit_clear(pdmc_explicit *problem)
+{
+    for (int i = 0; problem->conditions && i < problem->condition_count; i++) {
+        pdmc_free((void *)problem->conditions[i].layer.history.time);
+        pdmc_free((void *)problem->conditions[i].layer.history.factor);
+    }
+    pdmc_free(problem->materials);
+    pdmc_free(problem->bodies);
+    pdmc_free(problem->cracks);
+    pdmc_free(problem->conditions);
+    pdmc_free(problem->spheres);
+    *problem = (pdmc_explicit){0};
+}
+
+double pdmc_explicit_extent(const pdmc_explicit *problem, const pdmc_shape *shape)
+{
+    const int dimension = problem->dimension;
+    const double r = shape->radius;
+    double sides = 1.0, length = 0.0;
+    for (int k = 0; k < dimension; k++) {
+        sides *= shape->to[k] - shape->from[k];
+        length += fabs(shape->to[k] - shape->from[k]); // of a cylinder, along one axis
+    }
+    switch (shape->kind) {
+    case PDMC_SHAPE_BOX: return sides;
+    case PDMC_SHAPE_CYLINDER: return M_PI * r * r * length;
+    case PDMC_SHAPE_BALL: break;
+    }
+    return dimension == 2 ? M_PI * r * r : 4.0 / 3.0 * M_PI * r * r * r;
+}

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// What an explicit study consists of: materials, bodies, cracks, what acts on layers, spheres.
+
+#include "study/study_impl.h"
+
+#include <math.h>
+#include <string.h>
+
+static pdmc_study_address at(pdmc_study_section_id section, int index, const char *key)
+{
+    return (pdmc_study_address){section, index, key};
+}
+
+/// Refuses the second of two equal names in a list whose elements begin with their name.
+static pdmc_status check_names(const pdmc_study_reader *reader, pdmc_study_section_id id, const char *what)
+{
+    const pdmc_study_section *section = &pdmc_study_sections[id];
+    const char *home = pdmc_study_home(section, reader->problem, reader->motion), *items;
+    int count;
+    memcpy(&items, home + section->items, sizeof items);
+    memcpy(&count, home + section->count, sizeof count);
+    for (int i = 0; i < count; i++)
+        for (int j = 0; j < i; j++) {
+            const char *name = items + (size_t)i * section->size, *earlier = items + (size_t)j * section->size;
+            if (strcmp(name, earlier) == 0)
+                return pdmc_study_refuse(reader, at(id, i, "name"),
+                                         "\"%s\" is the name of an earlier %s too, must be another", name, what);
+        }
+    return PDMC_OK;
+}
+
+static pdmc_status check_material(const pdmc_study_reader *reader, int index)
+{
+    const pdmc_explicit_material *m = &reader->motion->materials[index];
+    const int moduli = m->has_youngs_modulus + m->has_bulk_modulus + m->has_micromodulus;
+    const pdmc_study_address address = at(SECTION_PARTICLE_MATERIALS, index, NULL);
+    if (moduli != 1)
+        return pdmc_study_refuse(reader, address,
+                                 "\"%s\" has %d moduli, must have one of youngs_modulus, bulk_modulus, micromodulus",
+                                 m->name, moduli);
+    if (m->has_fracture_energy && m->has_critical_stretch)
+        return pdmc_study_refuse(reader, address,
+                                 "\"%s\" has a fracture_energy and a critical_stretch, must have one or none", m->name);
+    return PDMC_OK;
+}
+
+pdmc_status pdmc_study_check_particle_materials(const pdmc_study_reader *reader)
+{
+    pdmc_status status = check_names(reader, SECTION_PARTICLE_MATERIALS, "material");
+    if (reader->motion->material_count == 0)
+        return pdmc_study_refuse(reader, at(SECTION_PARTICLE_MATERIALS, -1, NULL), "no material, must be one at least");
+    for (int i = 0; i < reader->motion->material_count && status == PDMC_OK; i++) status = check_material(reader, i);
+    return status;
+}
+
+static pdmc_status check_box(const pdmc_study_reader *reader, pdmc_study_address address, const pdmc_shape *shape)
+{
+    for (int k = 0; k < reader->motion->dimension; k++)
+        if (!(shape->from[k] <= shape->to[k]))
+            return pdmc_study_refuse(reader, address, "%g in %c is below from, %g, must be at least that", shape->to[k],
+                                     "xyz"[k], shape->from[k]);
+    return PDMC_OK;
+}
+
+static pdmc_status check_cylinder(const pdmc_study_reader *reader, pdmc_study_address address, const pdmc_shape *shape)
+{
+    int along = 0;
+    for (int k = 0; k < reader->motion->dimension; k++) along += shape->from[k] != shape->to[k];
+    if (along == 1) return PDMC_OK;
+    return pdmc_study_refuse(reader, address, "differs from `from` in %d coordinates, must differ in one", along);
+}
+
+static pdmc_status check_shape(const pdmc_study_reader *reader, pdmc_study_section_id section, int index,
+                               const pdmc_shape *shape)
+{
+    const pdmc_study_address to = at(section, index, "to");
+    if (shape->kind == PDMC_SHAPE_BOX) return check_box(reader, to, shape);
+    if (shape->kind == PDMC_SHAPE_BALL) return PDMC_OK;
+    if (reader->motion->dimension == 2)
+        return pdmc_study_refuse(reader, at(section, index, "shape"),
+                                 "\"cylinder\" is not allowed in two dimensions, must be \"box\" or \"ball\"");
+    return check_cylinder(reader, to, shape);
+}
+
+static pdmc_status check_size(const pdmc_study_reader *reader)
+{
+    const double node_limit = 2e8;
+    const pdmc_explicit *motion = reader->motion;
+    double extent = 0.0;
+    for (int i = 0; i < motion->body_count; i++) extent += pdmc_explicit_extent(motion, &motion->bodies[i].shape);
+    const double nodes = extent / pow(motion->spacing, motion->dimension);
+    if (nodes <= node_limit) return PDMC_OK;
+    return pdmc_study_refuse(reader, at(SECTION_PARTICLE_GRID, -1, "spacing"),
+                             "%g gives the bodies %.3g nodes, must be at most %.3g", motion->spacing, nodes,
+                             node_limit);
+}
+
+pdmc_status pdmc_study_check_bodies(const pdmc_study_reader *reader)
+{
+    const pdmc_explicit *motion = reader->motion;
+    pdmc_status status = check_names(reader, SECTION_BODIES, "body");
+    if (motion->body_count == 0)
+        return pdmc_study_refuse(reader, at(SECTION_BODIES, -1, NULL), "no body, must be one at least");
+    for (int i = 0; i < motion->body_count && status == PDMC_OK; i++)
+        status = check_shape(reader, SECTION_BODIES, i, &motion->bodies[i].shape);
+    return status == PDMC_OK ? check_size(reader) : status;
+}
+
+static double length(const double x[PDMC_AXES])
+{
+    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+}
+
+// Sides along one line make no rectangle.
+static bool spans(const double a[PDMC_AXES], const double b[PDMC_AXES])
+{
+    const double cross[PDMC_AXES] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    return length(cross) > 1e-9 * length(a) * length(b);
+}
+
+static pdmc_status check_crack(const pdmc_study_reader *reader, int index)
+{
+    const pdmc_planar_crack *crack = &reader->motion->cracks[index];
+    if (crack->kind == PDMC_CRACK_SEGMENT) {
+        if (crack->from[0] != crack->to[0] || crack->from[1] != crack->to[1]) return PDMC_OK;
+        return pdmc_study_refuse(reader, at(SECTION_PLANAR_CRACKS, index, "to"), "is where from is, must be elsewhere");
+    }
+    if (reader->motion->dimension == 2)
+        return pdmc_study_refuse(reader, at(SECTION_PLANAR_CRACKS, index, "shape"),
+                                 "must be \"segment\" in two dimensions");
+    if (crack->kind == PDMC_CRACK_DISC && !(length(crack->normal) > 0.0))
+        return pdmc_study_refuse(reader, at(SECTION_PLANAR_CRACKS, index, "normal"), "is zero, must have a direction");
+    if (crack->kind == PDMC_CRACK_RECTANGLE && !spans(crack->side[0], crack->side[1]))
+        return pdmc_study_refuse(reader, at(SECTION_PLANAR_CRACKS, index, "second_side"),
+                                 "makes no rectangle with first_side, must have another direction");
+    return PDMC_OK;
+}
+
+pdmc_status pdmc_study_check_planar_cracks(const pdmc_study_reader *reader)
+{
+    pdmc_status status = check_names(reader, SECTION_PLANAR_CRACKS, "crack");
+    for (int i = 0; i < reader->motion->crack_count && status == PDMC_OK; i++) status = check_crack(reader, i);
+    return status;
+}
+
+static pdmc_status check_factors(const pdmc_study_reader *reader, int index)
+{
+    const pdmc_explicit_condition *condition = &reader->motion->conditions[index];
+    const pdmc_history *history = &condition->layer.history;
+    if (history->count != condition->factor_count)
+        return pdmc_study_refuse(reader, at(SECTION_CONDITIONS, index, "factors"),
+                                 "%d factors are given at %d times, must be as many", condition->factor_count,
+                                 history->count);
+    for (int i = 1; i < history->count; i++)
+        if (history->time[i] < history->time[i - 1])
+            return pdmc_study_refuse(reader, at(SECTION_CONDITIONS, index, "times"), "%g stands behind %g, must ascend",
+                                     history->time[i], history->time[i - 1]);
+    return PDMC_OK;
+}
+
+static pdmc_status check_condition(const pdmc_study_reader *reader, int index)
+{
+    const pdmc_layer_condition *layer = &reader->motion->conditions[index].layer;
+    if (!layer->along[0] && !layer->along[1] && !layer->along[2])
+        return pdmc_study_refuse(reader, at(SECTION_CONDITIONS, index, NULL),
+                                 "prescribes nothing, must have x or y or z");
+    if (layer->along[2] && reader->motion->dimension == 2)
+        return pdmc_study_refuse(reader, at(SECTION_CONDITIONS, index, "z"),
+                                 "is not allowed in two dimensions, must be x or y");
+    const pdmc_status status = check_shape(reader, SECTION_CONDITIONS, index, &layer->region);
+    return status == PDMC_OK ? check_factors(reader, index) : status;
+}
+
+pdmc_status pdmc_study_check_conditions(const pdmc_study_reader *reader)
+{
+    pdmc_status status = PDMC_OK;
+    for (int i = 0; i < reader->motion->condition_count && status == PDMC_OK; i++) status = check_condition(reader, i);
+    return status;
+}
+
+pdmc_status pdmc_study_check_spheres(const pdmc_study_reader *reader)
+{
+    return check_names(reader, SECTION_SPHERES, "sphere");
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// Grid, time and record of an explicit study, and those of their defaults that rest on other settings.
+
+#include "study/study_impl.h"
+
+#include <math.h>
+
+static pdmc_status refuse(const pdmc_study_reader *reader, pdmc_study_section_id section, const char *key, double found,
+                          const char *what, double bound, const char *of)
+{
+    return pdmc_study_refuse(reader, (pdmc_study_address){section, -1, key}, "%g is too %s %g, %s", found, what, bound, of);
+}
+
+pdmc_status pdmc_study_check_particle_grid(const pdmc_study_reader *reader)
+{
+    pdmc_explicit *m = reader->motion;
+    if (m->has_horizon && m->has_horizon_ratio)
+        return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_PARTICLE_GRID, -1, "horizon_ratio"},
+                                 "is given beside a horizon, must be one of the two");
+    if (!m->has_horizon) m->horizon = (m->has_horizon_ratio ? m->horizon_ratio : 3.0) * m->spacing;
+    m->has_horizon = true;
+    m->has_horizon_ratio = false;
+    if (pdmc_study_with_rounding(m->horizon) < m->spacing)
+        return refuse(reader, SECTION_PARTICLE_GRID, "horizon", m->horizon, "small, must be at least", m->spacing,
+                      "the spacing");
+    if (m->horizon > pdmc_study_with_rounding(20.0 * m->spacing))
+        return refuse(reader, SECTION_PARTICLE_GRID, "horizon", m->horizon, "large, must be at most", 20.0 * m->spacing,
+                      "20 spacings");
+    return PDMC_OK;
+}
+
+pdmc_status pdmc_study_check_time(const pdmc_study_reader *reader)
+{
+    const pdmc_explicit *m = reader->motion;
+    const double step_limit = 1e9;
+    if (!m->has_step) return PDMC_OK;
+    if (m->step > pdmc_study_with_rounding(m->duration))
+        return refuse(reader, SECTION_TIME, "step", m->step, "large, must be at most", m->duration, "the duration");
+    if (m->duration / m->step > step_limit)
+        return refuse(reader, SECTION_TIME, "step", m->step, "small, must be at least", m->duration / step_limit,
+                      "a thousand millionth of the duration");
+    return PDMC_OK;
+}
+
+pdmc_status pdmc_study_check_record(const pdmc_study_reader *reader)
+{
+    pdmc_explicit *m = reader->motion;
+    const double record_limit = 1e6;
+    if (!m->has_interval) m->interval = m->duration / 100.0;
+    if (!m->has_speed_window) m->speed_window = 10.0 * m->interval;
+    m->has_interval = m->has_speed_window = true;
+    if (m->interval > pdmc_study_with_rounding(m->duration))
+        return refuse(reader, SECTION_RECORD, "interval", m->interval, "large, must be at most", m->duration,
+                      "the duration");
+    if (m->duration / m->interval > pdmc_study_with_rounding(record_limit))
+        return refuse(reader, SECTION_RECORD, "interval", m->interval, "small, must be at least",
+                      m->duration / record_limit, "a millionth of the duration");
+    return PDMC_OK;
+}

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// Explicit studies: what is read, that the resolved study reads back to it, and the mistakes that only they allow.
+
+#include "study/folder.h"
+
+enum { GRID, MATERIALS, BODIES, CRACKS, CONDITIONS, SPHERES, TIME, REST, PARTS };
+
+// One group a line, from line 2 on, of which one is replaced.
+static pdmc_status read_explicit(int part, const char *replacement, pdmc_study *study)
+{
+    const char *lines[PARTS] = {
+        [GRID] = "grid = { dimension = 3; spacing = 0.5; };",
+        [MATERIALS] = "materials = ( { density = 2; youngs_modulus = 3; } );",
+        [BODIES] = "bodies = ( { from = [0, 0, 0]; to = [4, 4, 4]; } );",
+        [CRACKS] = "",
+        [CONDITIONS] = "",
+        [SPHERES] = "",
+        [TIME] = "time = { duration = 10; };",
+        [REST] = "",
+    };
+    char text[4096] = "kind = \"explicit\";\n";
+    lines[part] = replacement;
+    for (int i = 0; i < PARTS; i++) {
+        strcat(text, lines[i]);
+        strcat(text, "\n");
+    }
+    return read_text(text, study);
+}
+
+static const char plane[] =
+    "kind = \"explicit\"; title = \"plane\"; units = { length = \"mm\"; force = \"kN\"; time = \"ms\"; };\n"
+    "grid = { dimension = 2; spacing = 0.5; offset = [0.25, 0.125]; horizon_ratio = 3.2; volume = \"whole\";\n"
+    "         thickness = 0.1; assumption = \"plane_strain\"; };\n"
+    "materials = ( { name = \"steel\"; density = 8.0; bulk_modulus = 192.0; critical_stretch = 0.02; },\n"
+    "              { name = \"glass\"; density = 2.5; micromodulus = 7e3; fracture_energy = 1e-3; strengthening = 0.25; } );\n"
+    "bodies = ( { name = \"plate\"; from = [-25, -25]; to = [25, 25]; material = \"glass\"; velocity = [0, -1]; },\n"
+    "           { name = \"disc\"; shape = \"ball\"; centre = [0, 30]; radius = 2; } );\n"
+    "cracks = ( { name = \"middle\"; from = [-5, 0]; to = [5, 0]; } );\n"
+    "conditions = ( { from = [-25.0, 23.4]; to = [25.0, 25.0]; y = 20; times = [5, 5, 10, 10]; factors = [1, -1, -1, 0]; },\n"
+    "               { prescribed = \"force\"; shape = \"ball\"; centre = [0, 0]; radius = 0.3; x = -1; } );\n"
+    "spheres = ( { name = \"ram\"; radius = 5; centre = [0, 40]; velocity = [0.0, -35.5]; mass = 4.16; stiffness = 1e26; },\n"
+    "            { radius = 1; centre = [0, -40]; stiffness = 1e26; } );\n"
+    "contact = { distance = 0; stiffness = 14; }; time = { duration = 16; step = 0.05; safety = 0.7; };\n"
+    "record = { interval = 0.3; snapshots = 7; tip_damage = 0.35; speed_window = 1.2; };\n";
+
+static const char space[] =
+    "kind = \"explicit\"; grid = { dimension = 3; spacing = 0.5; };\n"
+    "materials = ( { density = 2; youngs_modulus = 3; } );\n"
+    "bodies = ( { shape = \"cylinder\"; from = [1, 0, 2]; to = [1, 8, 2]; radius = 3; velocity = [1, 2, 3]; } );\n"
+    "cracks = ( { shape = \"disc\"; centre = [1, 4, 2]; normal = [0, 2, 0]; radius = 1; },\n"
+    "           { shape = \"rectangle\"; centre = [1, 4, 2]; first_side = [1, 0, 0]; second_side = [0.0, 0.5, 0.5]; } );\n"
+    "conditions = ( { from = [-9, 0, -9]; to = [9, 0, 9]; x = 0; y = 0; z = 0; } );\n"
+    "time = { duration = 10; };\n";
+
+static void what_is_given_is_kept(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    CHECK_OK(read_text(plane, &study));
+    const pdmc_explicit *m = &study.motion;
+    assert_int_equal(study.problem.kind, PDMC_EXPLICIT);
+    assert_string_equal(study.problem.time_unit, "ms");
+    CHECK_NEAR(m->horizon, 1.6, 1e-15);
+    CHECK_NEAR(m->offset[1], 0.125, 0.0);
+    assert_int_equal(m->volume_rule, PDMC_VOLUME_WHOLE);
+    assert_int_equal(m->assumption, PDMC_PLANE_STRAIN);
+    assert_true(m->materials[0].has_bulk_modulus && m->materials[0].has_critical_stretch);
+    assert_false(m->materials[0].has_youngs_modulus || m->materials[0].has_fracture_energy);
+    assert_int_equal(m->bodies[0].material, 1);
+    assert_int_equal(m->bodies[1].material, 0);
+    assert_int_equal(m->bodies[1].shape.kind, PDMC_SHAPE_BALL);
+    CHECK_NEAR(m->bodies[0].velocity[1], -1.0, 0.0);
+    assert_int_equal(m->crack_count, 1);
+    CHECK_NEAR(m->cracks[0].to[0], 5.0, 0.0);
+    const pdmc_layer_condition *strip = &m->conditions[0].layer, *force = &m->conditions[1].layer;
+    assert_false(strip->along[0] || strip->along[2]);
+    assert_true(strip->along[1]);
+    assert_int_equal(strip->history.count, 4);
+    CHECK_NEAR(strip->history.factor[2], -1.0, 0.0);
+    assert_int_equal(force->kind, PDMC_CONDITION_FORCE);
+    assert_int_equal(force->history.count, 0);
+    assert_true(m->spheres[0].has_mass);
+    assert_false(m->spheres[1].has_mass);
+    assert_string_equal(m->spheres[1].sphere.name, "sphere2");
+    CHECK_NEAR(m->speed_window, 1.2, 0.0);
+    pdmc_study_clear(&study);
+}
+
+static void defaults_are_of_the_first_step(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    CHECK_OK(read_text(space, &study));
+    const pdmc_explicit *m = &study.motion;
+    CHECK_NEAR(m->horizon, 1.5, 0.0);
+    assert_int_equal(m->volume_rule, PDMC_VOLUME_TAPERED);
+    CHECK_NEAR(m->contact_distance, 1.35, 0.0);
+    CHECK_NEAR(m->contact_stiffness, 15.0, 0.0);
+    assert_false(m->has_step);
+    CHECK_NEAR(m->safety, 0.8, 0.0);
+    CHECK_NEAR(m->interval, 0.1, 1e-16);
+    CHECK_NEAR(m->speed_window, 1.0, 1e-15);
+    CHECK_NEAR(m->tip_damage, 0.3, 0.0);
+    assert_int_equal(m->snapshots, 10);
+    pdmc_study_clear(&study);
+}
+
+// With every real in digits that read back, equal texts are equal problems.
+static void the_resolved_study_reads_back(void **state)
+{
+    (void)state;
+    const char *const studies[] = {plane, space};
+    for (size_t i = 0; i < sizeof studies / sizeof studies[0]; i++) {
+        pdmc_study first, second;
+        CHECK_OK(read_text(studies[i], &first));
+        CHECK_OK(read_text(first.resolved, &second));
+        assert_string_equal(first.resolved, second.resolved);
+        assert_int_equal(first.motion.body_count, second.motion.body_count);
+        assert_memory_equal(first.motion.bodies, second.motion.bodies,
+                            (size_t)first.motion.body_count * sizeof *first.motion.bodies);
+        assert_memory_equal(first.motion.cracks, second.motion.cracks,
+                            (size_t)first.motion.crack_count * sizeof *first.motion.cracks);
+        assert_memory_equal(first.motion.materials, second.motion.materials,
+                            (size_t)first.motion.material_count * sizeof *first.motion.materials);
+        pdmc_study_clear(&first);
+        pdmc_study_clear(&second);
+    }
+}
+
+// A box of 3 x 5, or 3 x 5 x 7; a cylinder; a ball.
+static void extents_are_those_of_geometry(void **state)
+{
+    (void)state;
+    const double pi = 3.14159265358979323846;
+    const pdmc_explicit in_plane = {.dimension = 2}, in_space = {.dimension = 3};
+    const pdmc_shape box = {.kind = PDMC_SHAPE_BOX, .from = {-1, 2, 3}, .to = {2, 7, 10}};
+    const pdmc_shape cylinder = {.kind = PDMC_SHAPE_CYLINDER, .from = {1, 2, 3}, .to = {1, -4, 3}, .radius = 0.5};
+    const pdmc_shape ball = {.kind = PDMC_SHAPE_BALL, .radius = 2.0};
+    CHECK_NEAR(pdmc_explicit_extent(&in_plane, &box), 15.0, 0.0);
+    CHECK_NEAR(pdmc_explicit_extent(&in_space, &box), 105.0, 0.0);
+    CHECK_NEAR(pdmc_explicit_extent(&in_space, &cylinder), 1.5 * pi, 1e-15);
+    CHECK_NEAR(pdmc_explicit_extent(&in_plane, &ball), 4.0 * pi, 1e-14);
+    CHECK_NEAR(pdmc_explicit_extent(&in_space, &ball), 32.0 / 3.0 * pi, 1e-14);
+}
+
+typedef struct {
+    int part;
+    const char *settings, *message;
+} mistake;
+
+static void expect(size_t count, const mistake mistakes[])
+{
+    static const pdmc_study zero;
+    for (size_t i = 0; i < count; i++) {
+        pdmc_study study;
+        CHECK_STATUS(read_explicit(mistakes[i].part, mistakes[i].settings, &study), PDMC_ERR_CONFIG);
+        assert_string_equal(pdmc_last_error(), mistakes[i].message);
+        assert_memory_equal(&study, &zero, sizeof study);
+    }
+}
+
+#define EXPECT(mistakes) expect(sizeof(mistakes) / sizeof *(mistakes), (mistakes))
+#define CYLINDER_FROM_ORIGIN "bodies = ( { shape = \"cylinder\"; radius = 1; from = [0, 0, 0]; "
+
+static void grids_and_materials_that_cannot_be(void **state)
+{
+    (void)state;
+    const mistake mistakes[] = {
+        {GRID, "", "study.cfg: grid.dimension: is missing, must be an integer from 2 to 3"},
+        {GRID, "grid = { dimension = 4; spacing = 1.0; };",
+         "study.cfg:2: grid.dimension: 4 is not allowed, must be from 2 to 3"},
+        {GRID, "grid = { dimension = 3; spacing = 1.0; thickness = 2; };",
+         "study.cfg:2: grid.thickness: is no setting of the dimension 3"},
+        {GRID, "grid = { dimension = 3; spacing = 1.0; offset = [1, 2]; };",
+         "study.cfg:2: grid.offset: an array of 2 is not allowed, must be as many reals as grid.dimension, [x, y] or "
+         "[x, y, z], each finite"},
+        {GRID, "grid = { dimension = 3; spacing = 1.0; horizon = 3; horizon_ratio = 3; };",
+         "study.cfg:2: grid.horizon_ratio: is given beside a horizon, must be one of the two"},
+        {GRID, "grid = { dimension = 3; spacing = 1.0; horizon = 0.5; };",
+         "study.cfg:2: grid.horizon: 0.5 is too small, must be at least 1, the spacing"},
+        {GRID, "grid = { dimension = 3; spacing = 1.0; horizon = 21; };",
+         "study.cfg:2: grid.horizon: 21 is too large, must be at most 20, 20 spacings"},
+        {GRID, "grid = { dimension = 3; spacing = 1e-3; };",
+         "study.cfg:2: grid.spacing: 0.001 gives the bodies 6.4e+10 nodes, must be at most 2e+08"},
+        {MATERIALS, "", "study.cfg: materials: no material, must be one at least"},
+        {MATERIALS, "materials = ( { density = 1; } );",
+         "study.cfg:3: materials[0]: \"material1\" has 0 moduli, must have one of youngs_modulus, bulk_modulus, "
+         "micromodulus"},
+        {MATERIALS, "materials = ( { density = 1; youngs_modulus = 1; micromodulus = 1; } );",
+         "study.cfg:3: materials[0]: \"material1\" has 2 moduli, must have one of youngs_modulus, bulk_modulus, "
+         "micromodulus"},
+        {MATERIALS, "materials = ( { density = 1; youngs_modulus = 1; critical_stretch = 1; fracture_energy = 1; } );",
+         "study.cfg:3: materials[0]: \"material1\" has a fracture_energy and a critical_stretch, must have one or none"},
+        {MATERIALS,
+         "materials = ( { name = \"a\"; density = 1; youngs_modulus = 1; }, { name = \"a\"; density = 1; youngs_modulus = 1; } );",
+         "study.cfg:3: materials[1].name: \"a\" is the name of an earlier material too, must be another"},
+    };
+    EXPECT(mistakes);
+}
+
+static void bodies_and_cracks_that_cannot_be(void **state)
+{
+    (void)state;
+    const mistake mistakes[] = {
+        {BODIES, "", "study.cfg: bodies: no body, must be one at least"},
+        {BODIES, "bodies = ( { from = [0, 0, 0]; to = [1, -1, 1]; } );",
+         "study.cfg:4: bodies[0].to: -1 in y is below from, 0, must be at least that"},
+        {BODIES, "bodies = ( { from = [0, 0, 0]; to = [1, 1, 1]; radius = 1; } );",
+         "study.cfg:4: bodies[0].radius: is no setting of the shape \"box\""},
+        {BODIES, "bodies = ( { from = [0, 0, 0]; to = [1, 1, 1]; material = \"glas\"; } );",
+         "study.cfg:4: bodies[0].material: \"glas\" is not allowed, must be the name of one of the materials"},
+        {BODIES, CYLINDER_FROM_ORIGIN "to = [1, 1, 0]; } );",
+         "study.cfg:4: bodies[0].to: differs from `from` in 2 coordinates, must differ in one"},
+        {BODIES, "bodies = ( { shape = \"ball\"; radius = 1; } );",
+         "study.cfg:4: bodies[0].centre: is missing, must be as many reals as grid.dimension, [x, y] or [x, y, z], each "
+         "finite"},
+        {CRACKS, "cracks = ( { from = [0, 0]; to = [0, 0]; } );",
+         "study.cfg:5: cracks[0].to: is where from is, must be elsewhere"},
+        {CRACKS, "cracks = ( { shape = \"disc\"; centre = [0, 0, 0]; radius = 1; normal = [0, 0, 0]; } );",
+         "study.cfg:5: cracks[0].normal: is zero, must have a direction"},
+        {CRACKS,
+         "cracks = ( { shape = \"rectangle\"; centre = [0, 0, 0]; first_side = [1, 2, 3]; second_side = [-2, -4, -6]; } );",
+         "study.cfg:5: cracks[0].second_side: makes no rectangle with first_side, must have another direction"},
+        {CRACKS, "cracks = ( { name = \"c\"; from = [0, 0]; to = [1, 0]; }, { name = \"c\"; from = [0, 0]; to = [0, 1]; } );",
+         "study.cfg:5: cracks[1].name: \"c\" is the name of an earlier crack too, must be another"},
+    };
+    EXPECT(mistakes);
+}
+
+static void conditions_and_times_that_cannot_be(void **state)
+{
+    (void)state;
+    const char *layer = "conditions = ( { from = [0, 0, 0]; to = [1, 1, 1]; %s } );";
+    const struct {
+        const char *settings, *message;
+    } layers[] = {
+        {"", "study.cfg:6: conditions[0]: prescribes nothing, must have x or y or z"},
+        {"x = 1; times = [0, 1]; factors = [1, 2, 3];",
+         "study.cfg:6: conditions[0].factors: 3 factors are given at 2 times, must be as many"},
+        {"x = 1; times = [2, 1]; factors = [1, 2];",
+         "study.cfg:6: conditions[0].times: 1 stands behind 2, must ascend"},
+    };
+    const mistake mistakes[] = {
+        {SPHERES, "spheres = ( { radius = 1; centre = [0, 0, 9]; } );",
+         "study.cfg:7: spheres[0].stiffness: is missing, must be a real > 0"},
+        {TIME, "", "study.cfg: time.duration: is missing, must be a real > 0"},
+        {TIME, "time = { duration = 1; step = 2; };",
+         "study.cfg:8: time.step: 2 is too large, must be at most 1, the duration"},
+        {TIME, "time = { duration = 1; safety = 1.5; };",
+         "study.cfg:8: time.safety: 1.5 is not allowed, must be > 0 and <= 1"},
+        {REST, "record = { interval = 11; };",
+         "study.cfg:9: record.interval: 11 is too large, must be at most 10, the duration"},
+        {REST, "record = { tip_damage = 1; };",
+         "study.cfg:9: record.tip_damage: 1 is not allowed, must be > 0 and < 1"},
+        {REST, "plate = { width = 1; };", "study.cfg:9: plate: is not part of a study of kind \"explicit\""},
+        {REST, "sampling = { samples = 3; };", "study.cfg:9: sampling: is not part of a study of kind \"explicit\""},
+    };
+    for (size_t i = 0; i < sizeof layers / sizeof layers[0]; i++) {
+        char settings[512];
+        snprintf(settings, sizeof settings, layer, layers[i].settings);
+        expect(1, &(mistake){CONDITIONS, settings, layers[i].message});
+    }
+    EXPECT(mistakes);
+}
+
+static void the_plane_has_no_depth(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    const char *const changes[][2] = {
+        {"conditions = ( { from = [0, 0]; to = [1, 1]; z = 1; } );",
+         "study.cfg:4: conditions[0].z: is not allowed in two dimensions, must be x or y"},
+        {"cracks = ( { shape = \"disc\"; centre = [0, 0]; radius = 1; normal = [1, 0]; } );",
+         "study.cfg:4: cracks[0].shape: must be \"segment\" in two dimensions"},
+        {"conditions = ( { shape = \"cylinder\"; from = [0, 0]; to = [1, 0]; radius = 1; x = 1; } );",
+         "study.cfg:4: conditions[0].shape: \"cylinder\" is not allowed in two dimensions, must be \"box\" or \"ball\""},
+    };
+    for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
+        char text[1024];
+        snprintf(text, sizeof text,
+                 "kind = \"explicit\"; grid = { dimension = 2; spacing = 0.1; };\n"
+                 "materials = ( { density = 1; youngs_modulus = 1; } );\n"
+                 "bodies = ( { from = [0, 0]; to = [1, 1]; } ); time = { duration = 1; };\n%s\n",
+                 changes[i][0]);
+        CHECK_STATUS(read_text(text, &study), PDMC_ERR_CONFIG);
+        assert_string_equal(pdmc_last_error(), changes[i][1]);
+    }
+}
+
+static void plates_have_no_bodies(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    CHECK_STATUS(read_with(LINE_TOP, "bodies = ();", &study), PDMC_ERR_CONFIG);
+    assert_string_equal(pdmc_last_error(), "study.cfg:11: bodies: is not part of a study of kind \"static\"");
+    CHECK_OK(read_with(LINE_TOP, "", &study));
+    assert_null(strstr(study.resolved, "bodies"));
+    pdmc_study_clear(&study);
+}
+
+static void memory_that_is_refused_is_told(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    CHECK_FAILS_CLEANLY(read_text(plane, &study), pdmc_study_clear(&study));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_is_given_is_kept),
+        cmocka_unit_test(defaults_are_of_the_first_step),
+        cmocka_unit_test(the_resolved_study_reads_back),
+        cmocka_unit_test(extents_are_those_of_geometry),
+        cmocka_unit_test(grids_and_materials_that_cannot_be),
+        cmocka_unit_test(bodies_and_cracks_that_cannot_be),
+        cmocka_unit_test(conditions_and_times_that_cannot_be),
+        cmocka_unit_test(the_plane_has_no_depth),
+        cmocka_unit_test(plates_have_no_bodies),
+        cmocka_unit_test(memory_that_is_refused_is_told),
+    };
+    return cmocka_run_group_tests(tests, enter_folder, leave_folder);
+}
