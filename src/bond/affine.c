@@ -88,6 +88,14 @@ done:
     return status;
 }
 
+static pdmc_status project(const pdmc_affine *model, int u_count, const double u[], int v_count, const double v[],
+                           double out[])
+{
+    const pdmc_bond *bond = bond_of(model);
+    if (model->terms == 0) return PDMC_OK;
+    return pdmc_bond_shell_project(&bond->plate, bond->threads, u_count, u, v_count, v, out);
+}
+
 // E_eff is proportional to the energy of an isotropic stretch, sum_k c_k area_k |xi_k|.
 static void fill_modulus_weight(const pdmc_bond_horizon *horizon, double weight[])
 {
@@ -127,6 +135,7 @@ static pdmc_status fill_solutions(const pdmc_bond *bond, pdmc_affine *model)
                                             .multiply = multiply,
                                             .precondition = precondition,
                                             .color = color,
+                                            .project = project,
                                             .destroy = release};
     pdmc_status status = PDMC_OK;
     const size_t n = (size_t)bond->unknowns;

@@ -21,6 +21,14 @@ typedef struct {
 PDMC_NODISCARD pdmc_status pdmc_bond_multiply(const pdmc_bond_plate *plate, int threads, const double factor[],
                                               const double x[], double y[]);
 
+/// u_i' K_m v_j of every shell m at its mean stiffness, in one pass over the bonds. Held unknowns of v do not count.
+/// @param[in]  u    [u_count, unknowns]
+/// @param[in]  v    [v_count, unknowns]
+/// @param[out] out  [shells, u_count, v_count]
+/// @return PDMC_OK or PDMC_ERR_NOMEM
+PDMC_NODISCARD pdmc_status pdmc_bond_shell_project(const pdmc_bond_plate *plate, int threads, int u_count,
+                                                   const double u[], int v_count, const double v[], double out[]);
+
 /// What the mean stiffness of a bond is multiplied by: shell[m] + (node[i] + node[j]) / 2.
 typedef struct {
     const double *shell; // [shells]

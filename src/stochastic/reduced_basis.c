@@ -22,9 +22,9 @@ pdmc_status pdmc_reduced_builder_create(const pdmc_reduced_goal *goal, pdmc_redu
     const size_t n = (size_t)b->n, terms = (size_t)b->full->terms;
     const int sides = goal->intensity ? 1 + 2 * b->full->tips : 1;
     PDMC_TRY(pdmc_reduced_system_create(b->full, sides, &b->system));
-    PDMC_NEW(b->basis, CAPACITY * n);
+    PDMC_NEW(b->probe, (PDMC_PROBES + CAPACITY) * n);
+    b->basis = b->probe + PDMC_PROBES * n;
     PDMC_NEW(b->image, CAPACITY * n);
-    PDMC_NEW(b->probe, PDMC_PROBES * n);
     PDMC_NEW(b->load, (size_t)sides * n);
     PDMC_NEW(b->block, B * n);
     PDMC_NEW(b->product, B * n);
@@ -40,9 +40,8 @@ done:
 void pdmc_reduced_builder_clear(pdmc_reduced_builder *b)
 {
     pdmc_reduced_system_destroy(b->system);
-    pdmc_free(b->basis);
-    pdmc_free(b->image);
     pdmc_free(b->probe);
+    pdmc_free(b->image);
     pdmc_free(b->load);
     pdmc_free(b->block);
     pdmc_free(b->product);
@@ -145,21 +144,15 @@ static void project_on_probes(const pdmc_reduced_builder *b, int m, int first, i
                 0.0, &b->system->probe_matrix[((size_t)m * CAPACITY + (size_t)first) * PDMC_PROBES], PDMC_PROBES);
 }
 
-// Columns first .. first + count - 1 of the triangle of V' K_m V; overlap: [count, first + count]
-static void fill_columns(const pdmc_reduced_builder *b, int m, int first, int count, const double overlap[])
-{
-    double *matrix = &b->system->matrix[(size_t)m * PDMC_REDUCED_TRIANGLE];
-    for (int j = first; j < first + count; j++)
-        memcpy(&matrix[pdmc_triangle_column((size_t)j)], &overlap[(j - first) * (first + count)],
-               (size_t)(j + 1) * sizeof *matrix);
-}
-
+// Columns first .. first + count - 1 of the triangle of V' K_m V.
 static void project_on_basis(const pdmc_reduced_builder *b, int m, int first, int count, const double product[],
                              double overlap[])
 {
     const int n = b->n, r = first + count;
+    double *matrix = &b->system->matrix[(size_t)m * PDMC_REDUCED_TRIANGLE];
     cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, count, r, n, 1.0, product, n, b->basis, n, 0.0, overlap, r);
-    fill_columns(b, m, first, count, overlap);
+    for (int j = first; j < r; j++)
+        memcpy(&matrix[pdmc_triangle_column((size_t)j)], &overlap[(j - first) * r], (size_t)(j + 1) * sizeof *matrix);
 }
 
 // The terms one by one, each applied to the new vectors.
@@ -186,26 +179,26 @@ static pdmc_status project_terms(pdmc_reduced_builder *b, int first, int count)
     return status;
 }
 
-// All terms at once, by the model's own verb.
+// All terms at once, by the model's own verb, on probes and basis.
 static pdmc_status project_at_once(pdmc_reduced_builder *b, int first, int count)
 {
     pdmc_status status = PDMC_OK;
-    const pdmc_affine *full = b->full;
-    const size_t terms = (size_t)full->terms, r = (size_t)(first + count), rows = (size_t)count;
-    const double *vectors = &b->basis[(size_t)first * (size_t)b->n];
-    double *on_probes = NULL, *on_basis = NULL;
-    PDMC_NEW(on_probes, terms * rows * PDMC_PROBES);
-    PDMC_NEW(on_basis, terms * rows * r);
-    PDMC_TRY(full->verbs->project(full, count, vectors, PDMC_PROBES, b->probe, on_probes));
-    PDMC_TRY(full->verbs->project(full, count, vectors, (int)r, b->basis, on_basis));
-    for (size_t m = 0; m < terms; m++) {
-        memcpy(&b->system->probe_matrix[((m + 1) * CAPACITY + (size_t)first) * PDMC_PROBES],
-               &on_probes[m * rows * PDMC_PROBES], rows * PDMC_PROBES * sizeof *on_probes);
-        fill_columns(b, (int)m + 1, first, count, &on_basis[m * rows * r]);
-    }
+    const size_t terms = (size_t)b->full->terms, rows = (size_t)count;
+    const size_t r = (size_t)(first + count), width = PDMC_PROBES + r;
+    double *products = NULL;
+    PDMC_NEW(products, terms * rows * width);
+    PDMC_TRY(b->full->verbs->project(b->full, count, &b->basis[(size_t)first * (size_t)b->n], (int)width, b->probe,
+                                     products));
+    for (size_t m = 0; m < terms; m++)
+        for (size_t k = 0; k < rows; k++) {
+            const size_t j = (size_t)first + k;
+            const double *row = &products[(m * rows + k) * width];
+            memcpy(&b->system->probe_matrix[((m + 1) * CAPACITY + j) * PDMC_PROBES], row, PDMC_PROBES * sizeof *row);
+            memcpy(&b->system->matrix[(m + 1) * PDMC_REDUCED_TRIANGLE + pdmc_triangle_column(j)], row + PDMC_PROBES,
+                   (j + 1) * sizeof *row);
+        }
 done:
-    pdmc_free(on_probes);
-    pdmc_free(on_basis);
+    pdmc_free(products);
     return status;
 }
 

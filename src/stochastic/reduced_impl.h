@@ -46,8 +46,8 @@ typedef struct {
     const pdmc_affine *full;
     int threads, n;
     pdmc_reduced_system *system;
-    double *basis, *image;   // [PDMC_REDUCED_CAPACITY] V and K_0 V
-    double *probe;           // [PDMC_PROBES]
+    double *probe, *basis;   // [PDMC_PROBES] and, right behind, [PDMC_REDUCED_CAPACITY] V
+    double *image;           // [PDMC_REDUCED_CAPACITY] K_0 V
     double *load;            // [sides] F
     double *block, *product; // [B]
     double *overlap;         // [B, PDMC_REDUCED_CAPACITY]

@@ -346,11 +346,50 @@ static void failures_are_clean(void **state)
     double *x = draw_many(PDMC_BLOCK * n, 0.0, 1.0), *y = draw_many(PDMC_BLOCK * n, 0.0, 1.0);
     double *factor = draw_many(PDMC_BLOCK * shells, 1.0, 1.0);
     CHECK_FAILS_CLEANLY(pdmc_bond_multiply(&p.made, 1, factor, x, y), (void)0);
+    CHECK_FAILS_CLEANLY(pdmc_bond_shell_project(&p.made, 1, 1, x, 1, x, y), (void)0);
     const pdmc_bond_moduli moduli = {.shell = factor};
     CHECK_FAILS_CLEANLY(pdmc_bond_matrix_create(&p.made, &moduli, &matrix), pdmc_bond_matrix_clear(&matrix));
     test_free(factor);
     test_free(y);
     test_free(x);
+    bond_plate_clear(&p);
+}
+
+// u' K_m v of every shell by the product; the vectors fill no whole number of tiles, the nodes none of chunks. What is held
+// counts in u.
+static void projections_are_those_of_the_products(void **state)
+{
+    (void)state;
+    enum { U = 11, V = 5 };
+    bond_plate p;
+    bond_plate_describe(&p, 31, 23, 2.6);
+    p.problem.solver.surface_correction = PDMC_ON;
+    bond_plate_crack(&p, -0.25, -0.1, 0.2, 0.13);
+    bond_plate_hold(&p, PDMC_SIDE_LEFT, 0, 0.1);
+    bond_plate_hold(&p, PDMC_SIDE_TOP, 1, 0.2);
+    bond_plate_make(&p, 5);
+    const size_t n = 2 * (size_t)p.made.grid.nodes, shells = (size_t)p.made.horizon.shells;
+    double *u = draw_many(PDMC_BLOCK * n, -1.0, 1.0), *v = draw_many(V * n, -1.0, 1.0);
+    double *Ku = draw_many(PDMC_BLOCK * n, 0.0, 0.0), *factor = draw_many(PDMC_BLOCK * shells, 0.0, 0.0);
+    double *out = draw_many(shells * U * V, 0.0, 0.0);
+    CHECK_OK(pdmc_bond_shell_project(&p.made, 2, U, u, V, v, out));
+    for (size_t m = 0; m < shells; m++) {
+        for (size_t k = 0; k < PDMC_BLOCK * shells; k++) factor[k] = k % shells == m;
+        CHECK_OK(pdmc_bond_multiply(&p.made, 1, factor, u, Ku));
+        for (size_t k = 0; k < U * V; k++) {
+            double want = 0.0, size = 0.0;
+            for (size_t i = 0; i < n; i++) {
+                want += v[k % V * n + i] * Ku[k / V * n + i];
+                size += fabs(v[k % V * n + i] * Ku[k / V * n + i]);
+            }
+            CHECK_NEAR(out[m * U * V + k], want, 1e-13 * size);
+        }
+    }
+    test_free(u);
+    test_free(v);
+    test_free(Ku);
+    test_free(factor);
+    test_free(out);
     bond_plate_clear(&p);
 }
 
@@ -364,6 +403,7 @@ int main(void)
         cmocka_unit_test(a_quarter_turn_changes_nothing),
         cmocka_unit_test(the_correction_restores_the_energy_of_a_stretch),
         cmocka_unit_test(strains_under_tension),
+        cmocka_unit_test(projections_are_those_of_the_products),
         cmocka_unit_test(failures_are_clean),
     };
     pdmc_blas_prepare();
