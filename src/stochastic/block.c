@@ -35,6 +35,7 @@ static pdmc_status allocate(pdmc_block *block)
     PDMC_NEW(block->stretch, B * (size_t)most_bonds(model));
     PDMC_NEW(block->ring_sum, B * (size_t)model->rings);
     PDMC_NEW(block->observed, B * (size_t)model->observed);
+    PDMC_TRY(pdmc_near_create(model, &block->near));
     PDMC_NEW(block->intensity, B * 2 * (size_t)model->tips);
     PDMC_NEW(block->bound.intensity, B * 2 * (size_t)model->tips);
     PDMC_NEW(block->energy, PDMC_MEASURES * B * (size_t)(model->tips * model->angles));
@@ -77,6 +78,7 @@ void pdmc_block_destroy(pdmc_block **block)
     pdmc_free(old->stretch);
     pdmc_free(old->ring_sum);
     pdmc_free(old->observed);
+    pdmc_near_clear(&old->near);
     pdmc_free(old->intensity);
     pdmc_free(old->bound.intensity);
     pdmc_free(old->energy);
@@ -254,22 +256,6 @@ static void full_stretches(pdmc_block *block, const pdmc_crossing *crossing)
                     is_observed ? block->observed : block->x, n, 0.0, block->stretch, B);
 }
 
-// Sample by sample, since the unknowns near a tip stay in the cache.
-static void sparse_stretches(pdmc_block *block, const pdmc_crossing *crossing)
-{
-    const bool is_observed = block->model->observed > 0;
-    const size_t count = (size_t)(is_observed ? block->model->observed : block->model->unknowns);
-    for (int s = 0; s < B; s++) {
-        const double *x = &(is_observed ? block->observed : block->x)[(size_t)s * count];
-        for (int b = 0; b < crossing->bonds; b++) {
-            double stretch = 0.0;
-            for (int k = b * PDMC_BOND_ENDS; k < (b + 1) * PDMC_BOND_ENDS; k++)
-                stretch += crossing->row[k] * x[crossing->column[k]];
-            block->stretch[b * B + s] = stretch;
-        }
-    }
-}
-
 // Sums the squared stretches over each ring's bonds, in their order, and weights the rings by each sample's c(r).
 static void sum_rings(const pdmc_block *block, int direction, pdmc_bonds bonds, const bool wanted[B], double energy[])
 {
@@ -313,9 +299,13 @@ static void observe(pdmc_block *block)
 
 static void sum_bonds(pdmc_block *block, pdmc_bonds bonds, const bool wanted[B])
 {
+    const bool is_observed = block->model->observed > 0;
+    pdmc_near_take(&block->near, is_observed ? block->model->observed : block->model->unknowns,
+                   is_observed ? block->observed : block->x);
     for (int d = 0; d < block->model->tips * block->model->angles; d++) {
         const pdmc_crossing *crossing = &block->model->crossings[d];
-        (crossing->column ? sparse_stretches : full_stretches)(block, crossing);
+        if (crossing->column) pdmc_near_stretch(&block->near, crossing, block->stretch);
+        else full_stretches(block, crossing);
         sum_rings(block, d, bonds, wanted, &block->energy[d * B]);
     }
 }

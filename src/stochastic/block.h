@@ -3,6 +3,7 @@
 
 #include "pdmc/results.h"
 #include "stochastic/forms.h"
+#include "stochastic/near.h"
 #include "stochastic/reduced.h"
 #include "stochastic/variables.h"
 
@@ -22,6 +23,7 @@ typedef struct {
     pdmc_sample_solver solver[PDMC_BLOCK];
     double *stretch;   // [bonds, PDMC_BLOCK]
     double *observed;  // [model's observed]
+    pdmc_near near;    // of sparse crossings
     double *ring_sum;  // [rings, PDMC_BLOCK] squared stretches
     double *intensity; // [2 tips, PDMC_BLOCK]
     double *energy;    // [PDMC_MEASURES, tips angles, PDMC_BLOCK], of which the first are those of bonds ...

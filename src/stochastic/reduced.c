@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "stochastic/near.h"
 #include "stochastic/reduced_impl.h"
 
 #include <cblas.h>
@@ -6,19 +7,6 @@
 #include <string.h>
 
 enum { B = PDMC_BLOCK };
-
-// Numbers the unknowns that crossings look at; number: [unknowns], -1 for those that none does.
-static int number_observed(const pdmc_affine *full, int number[])
-{
-    int observed = 0;
-    for (int k = 0; k < full->unknowns; k++) number[k] = -1;
-    for (int d = 0; d < full->tips * full->angles; d++) {
-        const pdmc_crossing *crossing = &full->crossings[d];
-        for (int k = 0; crossing->column && k < crossing->bonds * PDMC_BOND_ENDS; k++)
-            if (number[crossing->column[k]] < 0) number[crossing->column[k]] = observed++;
-    }
-    return observed;
-}
 
 static pdmc_status copy_sparse(const pdmc_crossing *full, const int number[], pdmc_crossing *reduced)
 {
@@ -85,7 +73,7 @@ static pdmc_status reduce_crossings(const pdmc_reduced_builder *b, pdmc_affine *
     int *number = NULL;
     PDMC_NEW(number, full->unknowns);
     PDMC_NEW(reduced->crossings, directions);
-    reduced->observed = full->observed > 0 ? full->observed : number_observed(full, number);
+    reduced->observed = full->observed > 0 ? full->observed : pdmc_near_number(full, number);
     PDMC_TRY(reduce_observed(b, number, reduced));
     for (int d = 0; d < directions; d++)
         PDMC_TRY(reduce_crossing(b, &full->crossings[d], number, &reduced->crossings[d]));
