@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particles/contact.h"
+
+#include "base/base_impl.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double skin = 0.65; // of the spacing: about half of the usual distance, where the search costs least
+
+/// The shortest length of a grid's step that is longer than the horizon.
+static double shortest_beyond(const pdmc_lattice *g, double horizon)
+{
+    const int reach = (int)floor(horizon / g->spacing) + 1;
+    int least = reach * reach;
+    for (int z = 0; z <= (g->dimension < 3 ? 0 : reach); z++)
+        for (int y = 0; y <= reach; y++)
+            for (int x = 0; x <= reach; x++) {
+                const int square = x * x + y * y + z * z;
+                if (g->spacing * sqrt(square) > horizon && square < least) least = square;
+            }
+    return g->spacing * sqrt(least);
+}
+
+pdmc_status pdmc_contact_create(const pdmc_particles_options *options, const pdmc_lattice *g, double repulsion,
+                                pdmc_contact *contact)
+{
+    pdmc_status status = PDMC_OK;
+    const double horizon = options->horizon + 1e-9 * g->spacing;
+    *contact = (pdmc_contact){.repulsion = repulsion, .horizon = horizon, .skin = skin * g->spacing};
+    if (options->contact_distance == 0.0) return PDMC_OK;
+    contact->apart = shortest_beyond(g, horizon);
+    contact->distance = fmin(options->contact_distance * g->spacing, 0.9 * contact->apart);
+    PDMC_NEW(contact->node, g->node_count);
+    PDMC_NEW(contact->partners, g->node_count);
+    PDMC_NEW(contact->start, g->node_count + 1);
+    for (int a = 0; a < PDMC_AXES; a++) {
+        PDMC_NEW(contact->built[a], g->node_count);
+        PDMC_NEW(contact->moved[a], g->node_count);
+    }
+    for (int k = 0; k < g->node_count; k++) contact->built[0][k] = INFINITY; // nothing was found yet
+    PDMC_TRY(pdmc_bins_create(g->node_count, &contact->bins));
+    PDMC_NEW(contact->range, 2 * PDMC_AXES * (size_t)contact->bins.most);
+done:
+    return status;
+}
+
+void pdmc_contact_clear(pdmc_contact *contact)
+{
+    pdmc_free(contact->node);
+    pdmc_free(contact->partners);
+    pdmc_free(contact->start);
+    pdmc_free(contact->partner);
+    for (int a = 0; a < PDMC_AXES; a++) {
+        pdmc_free(contact->built[a]);
+        pdmc_free(contact->moved[a]);
+    }
+    pdmc_free(contact->range);
+    pdmc_bins_clear(&contact->bins);
+    *contact = (pdmc_contact){0};
+}
+
+/// Whether a node has moved by more than half of the skin since the pairs were found.
+static bool has_moved(const pdmc_contact *contact, const pdmc_lattice *g, double *const position[], int threads)
+{
+    const double allowed = 0.25 * contact->skin * contact->skin;
+    int moved = 0; // whichever thread sees it, and however often
+#pragma omp parallel for num_threads(threads) schedule(static) reduction(| : moved)
+    for (int k = 0; k < g->node_count; k++) {
+        double square = 0.0;
+        for (int a = 0; a < PDMC_AXES; a++) {
+            const double step = position[a][g->nodes[k]] - contact->built[a][k];
+            square += step * step;
+        }
+        moved |= !(square <= allowed);
+    }
+    return moved != 0;
+}
+
+static void remember(pdmc_contact *contact, const pdmc_lattice *g, double *const position[], int threads)
+{
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (int k = 0; k < g->node_count; k++) {
+        const size_t c = g->nodes[k];
+        for (int a = 0; a < PDMC_AXES; a++) {
+            contact->built[a][k] = position[a][c];
+            contact->moved[a][k] = position[a][c] - g->reference[a][c];
+        }
+    }
+}
+
+static void find_range(pdmc_contact *contact, int bin)
+{
+    const pdmc_bins *bins = &contact->bins;
+    double *least = &contact->range[2 * PDMC_AXES * (size_t)bin], *most = least + PDMC_AXES;
+    for (int a = 0; a < PDMC_AXES; a++) {
+        least[a] = INFINITY, most[a] = -INFINITY;
+        for (int k = bins->start[bin]; k < bins->start[bin + 1]; k++) {
+            const double u = contact->moved[a][bins->sorted[k]];
+            if (u < least[a]) least[a] = u;
+            if (u > most[a]) most[a] = u;
+        }
+    }
+}
+
+/// Whether no two nodes of these bins that are not neighbours can be near: they were `apart` at least, and have not moved
+/// towards each other by as much as that takes.
+static bool is_calm(const pdmc_contact *contact, int count, const int near[])
+{
+    double square = 0.0;
+    for (int a = 0; a < PDMC_AXES; a++) {
+        double least = INFINITY, most = -INFINITY;
+        for (int k = 0; k < count; k++) {
+            const double *range = &contact->range[2 * PDMC_AXES * (size_t)near[k]];
+            if (range[a] < least) least = range[a];
+            if (range[PDMC_AXES + a] > most) most = range[PDMC_AXES + a];
+        }
+        square += (most - least) * (most - least);
+    }
+    return sqrt(square) < contact->apart - contact->distance - contact->skin;
+}
+
+static bool are_neighbours(const pdmc_contact *contact, const pdmc_lattice *g, int i, int j)
+{
+    double square = 0.0;
+    for (int a = 0; a < PDMC_AXES; a++) {
+        const double step = g->reference[a][g->nodes[i]] - g->reference[a][g->nodes[j]];
+        square += step * step;
+    }
+    return square <= contact->horizon * contact->horizon;
+}
+
+/// The partners of a node, in the order of the bins. @param[out] partner  NULL: they are counted only
+static int find_partners(const pdmc_contact *contact, const pdmc_lattice *g, int k, int count, const int near[],
+                         int partner[])
+{
+    const pdmc_bins *bins = &contact->bins;
+    const double reach = contact->distance + contact->skin;
+    const double x = bins->x[0][k], y = bins->x[1][k], z = bins->x[2][k];
+    const int node = bins->sorted[k];
+    int found = 0;
+    for (int b = 0; b < count; b++) {
+        for (int j = bins->start[near[b]]; j < bins->start[near[b] + 1]; j++) {
+            const double dx = bins->x[0][j] - x, dy = bins->x[1][j] - y, dz = bins->x[2][j] - z;
+            if (dx * dx + dy * dy + dz * dz > reach * reach || j == k) continue;
+            if (are_neighbours(contact, g, node, bins->sorted[j])) continue;
+            if (partner) partner[found] = bins->sorted[j];
+            found++;
+        }
+    }
+    return found;
+}
+
+/// Counts the partners of a bin's nodes, or writes them where there is room.
+static void search_bin(pdmc_contact *contact, const pdmc_lattice *g, int bin, bool write)
+{
+    int near[27];
+    const pdmc_bins *bins = &contact->bins;
+    const int count = pdmc_bins_near(bins, bin, near);
+    if (is_calm(contact, count, near)) return;
+    for (int k = bins->start[bin]; k < bins->start[bin + 1]; k++) {
+        const int node = bins->sorted[k];
+        if (!write) contact->partners[node] = find_partners(contact, g, k, count, near, NULL);
+        else if (contact->partners[node] > 0)
+            find_partners(contact, g, k, count, near, &contact->partner[contact->start[node]]);
+    }
+}
+
+static void search(pdmc_contact *contact, const pdmc_lattice *g, int threads, bool write)
+{
+    const pdmc_bins *bins = &contact->bins;
+    const int total = bins->count[0] * bins->count[1] * bins->count[2];
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 64)
+    for (int b = 0; b < total; b++)
+        if (bins->start[b] < bins->start[b + 1]) search_bin(contact, g, b, write);
+}
+
+static pdmc_status make_room(pdmc_contact *contact, int nodes)
+{
+    contact->listed = 0;
+    for (int k = 0; k < nodes; k++) {
+        contact->start[k + 1] = contact->start[k] + (size_t)contact->partners[k];
+        if (contact->partners[k] > 0) contact->node[contact->listed++] = k;
+    }
+    if (contact->start[nodes] <= contact->room) return PDMC_OK;
+    pdmc_free(contact->partner);
+    contact->room = 2 * contact->start[nodes];
+    contact->partner = pdmc_calloc(contact->room, sizeof *contact->partner);
+    if (contact->partner) return PDMC_OK;
+    contact->room = 0;
+    return PDMC_ERR_NOMEM;
+}
+
+pdmc_status pdmc_contact_update(pdmc_contact *contact, const pdmc_lattice *g, double *const position[PDMC_AXES],
+                                int threads)
+{
+    if (contact->distance == 0.0 || !has_moved(contact, g, position, threads)) return PDMC_OK;
+    pdmc_bins *bins = &contact->bins;
+    remember(contact, g, position, threads);
+    pdmc_bins_fill(bins, contact->built, contact->distance + contact->skin);
+    const int total = bins->count[0] * bins->count[1] * bins->count[2];
+    for (int b = 0; b < total; b++) find_range(contact, b);
+    memset(contact->partners, 0, (size_t)g->node_count * sizeof *contact->partners);
+    search(contact, g, threads, false);
+    const pdmc_status status = make_room(contact, g->node_count);
+    if (status == PDMC_OK && contact->listed > 0) search(contact, g, threads, true);
+    return status;
+}
+
+/// How far two nodes are inside the distance of contact. @param[out] apart  from the first to the second
+static double depth_of(const pdmc_contact *contact, double *const position[], size_t i, size_t j, double apart[])
+{
+    double square = 0.0;
+    for (int a = 0; a < PDMC_AXES; a++) {
+        apart[a] = position[a][j] - position[a][i];
+        square += apart[a] * apart[a];
+    }
+    return contact->distance - sqrt(square);
+}
+
+void pdmc_contact_add(const pdmc_contact *contact, const pdmc_lattice *g, double *const position[PDMC_AXES],
+                      int threads, double *const force[PDMC_AXES])
+{
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 256)
+    for (int k = 0; k < contact->listed; k++) {
+        const int node = contact->node[k];
+        const size_t i = g->nodes[node];
+        for (size_t p = contact->start[node]; p < contact->start[node + 1]; p++) {
+            double apart[PDMC_AXES];
+            const double depth = depth_of(contact, position, i, g->nodes[contact->partner[p]], apart);
+            if (depth <= 0.0) continue;
+            const double push = contact->repulsion * depth / (contact->distance - depth);
+            for (int a = 0; a < PDMC_AXES; a++) force[a][i] -= push * apart[a];
+        }
+    }
+}
+
+double pdmc_contact_energy(const pdmc_contact *contact, const pdmc_lattice *g, double *const position[PDMC_AXES])
+{
+    double sum = 0.0;
+    for (int k = 0; k < contact->listed; k++) {
+        const int node = contact->node[k];
+        for (size_t p = contact->start[node]; p < contact->start[node + 1]; p++) {
+            double apart[PDMC_AXES];
+            const double depth = depth_of(contact, position, g->nodes[node], g->nodes[contact->partner[p]], apart);
+            if (depth > 0.0) sum += 0.25 * contact->repulsion * depth * depth * g->volume;
+        }
+    }
+    return sum;
+}

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/base_impl.h"
+#include "particles/particles_impl.h"
+
+#include <math.h>
+#include <string.h>
+
+static pdmc_status check(const pdmc_particles_options *o)
+{
+    PDMC_REQUIRE(o, "options: NULL");
+    PDMC_REQUIRE(o->dimension == 2 || o->dimension == 3, "dimension: %d, needs to be 2 or 3", o->dimension);
+    PDMC_REQUIRE(o->spacing > 0.0 && isfinite(o->spacing), "spacing: %g, needs to be > 0", o->spacing);
+    PDMC_REQUIRE(o->horizon >= o->spacing && o->horizon <= 100.0 * o->spacing,
+                 "horizon: %g, needs to be between 1 and 100 spacings of %g", o->horizon, o->spacing);
+    PDMC_REQUIRE(o->dimension == 3 || o->thickness > 0.0, "thickness: %g, needs to be > 0", o->thickness);
+    PDMC_REQUIRE(o->contact_distance >= 0.0 && o->contact_stiffness >= 0.0,
+                 "contact: a negative distance or stiffness");
+    PDMC_REQUIRE(o->material_count > 0 && o->body_count > 0, "bodies: there is none, or no material");
+    PDMC_REQUIRE(o->threads >= 1, "threads: %d, needs to be >= 1", o->threads);
+    for (int m = 0; m < o->material_count; m++)
+        PDMC_REQUIRE(o->materials[m].density > 0.0 && o->materials[m].micromodulus > 0.0 &&
+                         o->materials[m].critical_stretch > 0.0,
+                     "materials[%d]: density, micromodulus and critical stretch need to be > 0", m);
+    for (int b = 0; b < o->body_count; b++)
+        PDMC_REQUIRE(o->bodies[b].material >= 0 && o->bodies[b].material < o->material_count,
+                     "bodies[%d]: material %d, there are %d", b, o->bodies[b].material, o->material_count);
+    for (int s = 0; s < o->sphere_count; s++)
+        PDMC_REQUIRE(o->spheres[s].radius > 0.0 && o->spheres[s].mass > 0.0 && o->spheres[s].stiffness > 0.0,
+                     "spheres[%d]: radius, mass and stiffness need to be > 0", s);
+    return PDMC_OK;
+}
+
+/// The stiffness of the repulsion is that of the softest material.
+static double repulsion_of(const pdmc_particles_options *o, double volume)
+{
+    double least = INFINITY;
+    for (int m = 0; m < o->material_count; m++) least = fmin(least, o->materials[m].micromodulus);
+    return o->contact_stiffness * least * volume / o->horizon;
+}
+
+static pdmc_status copy_materials(const pdmc_particles_options *o, pdmc_particles *p)
+{
+    pdmc_status status = PDMC_OK;
+    p->material_count = o->material_count;
+    PDMC_NEW(p->density, o->material_count);
+    PDMC_NEW(p->laws, o->material_count);
+    PDMC_NEW(p->unbreakable, o->material_count);
+    for (int m = 0; m < o->material_count; m++) {
+        const pdmc_brittle_material *material = &o->materials[m];
+        p->density[m] = material->density;
+        p->laws[m] = (pdmc_bond_law){material->micromodulus, material->critical_stretch, material->strengthening};
+        p->unbreakable[m] = (pdmc_bond_law){material->micromodulus, INFINITY, 0.0};
+    }
+done:
+    return status;
+}
+
+static pdmc_status make_room(const pdmc_particles_options *o, pdmc_particles *p)
+{
+    pdmc_status status = PDMC_OK;
+    const size_t cells = p->lattice.cells + PDMC_LANES, blocks = (size_t)p->lattice.block_count;
+    for (int a = 0; a < PDMC_AXES; a++) {
+        PDMC_NEW(p->position[a], cells);
+        PDMC_NEW(p->velocity[a], cells);
+        PDMC_NEW(p->force[a], cells);
+        memcpy(p->position[a], p->lattice.reference[a], cells * sizeof(double));
+    }
+    PDMC_NEW(p->limit, cells);
+    PDMC_NEW(p->next_limit, cells);
+    PDMC_NEW(p->fracture, blocks);
+    PDMC_NEW(p->elastic, blocks);
+    PDMC_NEW(p->contact_energy, blocks);
+    PDMC_NEW(p->share, 4 * blocks);
+    PDMC_NEW(p->layers, o->condition_count);
+    PDMC_NEW(p->spheres, o->sphere_count);
+    PDMC_NEW(p->sphere_force, PDMC_AXES * (size_t)o->sphere_count);
+    PDMC_NEW(p->sphere_energy, o->sphere_count);
+done:
+    return status;
+}
+
+static void start_nodes(const pdmc_particles_options *o, pdmc_particles *p)
+{
+    for (int b = 0; b < p->lattice.block_count; b++) {
+        const pdmc_block *block = &p->lattice.blocks[b];
+        const double limit = 1.0 / (1.0 + o->materials[block->material].critical_stretch);
+        for (unsigned left = block->nodes; left; left &= left - 1) {
+            const size_t c = block->cell + (size_t)__builtin_ctz(left);
+            for (int a = 0; a < o->dimension; a++) p->velocity[a][c] = o->bodies[block->body].velocity[a];
+            p->limit[c] = p->next_limit[c] = limit;
+        }
+    }
+}
+
+static void start_spheres(const pdmc_particles_options *o, pdmc_particles *p)
+{
+    p->sphere_count = o->sphere_count;
+    if (o->sphere_count > 0) memcpy(p->spheres, o->spheres, (size_t)o->sphere_count * sizeof *p->spheres);
+}
+
+static pdmc_status find_isolated(const pdmc_lattice *g)
+{
+    for (int b = 0; b < g->block_count; b++) {
+        int whole[PDMC_LANES];
+        pdmc_lattice_whole(g, &g->blocks[b], whole);
+        for (int k = 0; k < PDMC_LANES; k++) {
+            const size_t c = g->blocks[b].cell + (size_t)k;
+            if ((g->blocks[b].nodes >> k & 1) && g->family[c] > 0 && whole[k] == 0)
+                return pdmc_raise(PDMC_ERR_ARG, "cracks: they cut all bonds of the node at (%g, %g, %g)",
+                                  g->reference[0][c], g->reference[1][c], g->reference[2][c]);
+        }
+    }
+    return PDMC_OK;
+}
+
+/// sqrt(2 rho / sum_p V_p c / |xi|) for a whole family, than which no other is stiffer.
+static double stable_step(const pdmc_particles *p)
+{
+    const pdmc_lattice *g = &p->lattice;
+    double sum = 0.0, least = INFINITY;
+    for (int n = 0; n < g->neighbour_count; n++) sum += g->neighbours[n].stiffness;
+    for (int m = 0; m < p->material_count; m++)
+        least = fmin(least, sqrt(2.0 * p->density[m] / (p->laws[m].micromodulus * sum)));
+    return least;
+}
+
+static pdmc_status choose_step(const pdmc_particles_options *o, pdmc_particles *p)
+{
+    p->stable_step = stable_step(p);
+    p->step = o->step > 0.0 ? o->step : o->safety * p->stable_step;
+    PDMC_REQUIRE(p->step > 0.0 && p->step <= p->stable_step, "step: %g, is stable up to %g", p->step, p->stable_step);
+    return PDMC_OK;
+}
+
+static pdmc_status create(const pdmc_particles_options *o, pdmc_particles *p)
+{
+    pdmc_status status = PDMC_OK;
+    p->threads = o->threads;
+    PDMC_TRY(copy_materials(o, p));
+    PDMC_TRY(pdmc_lattice_create(o, &p->lattice));
+    PDMC_TRY(choose_step(o, p));
+    PDMC_TRY(make_room(o, p));
+    pdmc_lattice_cut(&p->lattice, o->crack_count, o->cracks);
+    PDMC_TRY(find_isolated(&p->lattice));
+    p->repulsion = repulsion_of(o, p->lattice.volume);
+    PDMC_TRY(pdmc_contact_create(o, &p->lattice, p->repulsion, &p->contact));
+    for (int c = 0; c < o->condition_count; c++) {
+        PDMC_TRY(pdmc_layer_create(&o->conditions[c], &p->lattice, p->density, &p->layers[c]));
+        p->layer_count++;
+    }
+    p->kernel = pdmc_forces_choose(&p->kernel_name);
+    start_nodes(o, p);
+    start_spheres(o, p);
+    p->first = pdmc_particles_sum(p).kinetic;
+    PDMC_TRY(pdmc_particles_start(p));
+done:
+    return status;
+}
+
+pdmc_status pdmc_particles_create(const pdmc_particles_options *options, pdmc_particles **particles)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_particles *p = NULL;
+    PDMC_REQUIRE(particles, "particles: NULL");
+    *particles = NULL;
+    status = check(options);
+    if (status != PDMC_OK) return status;
+    PDMC_NEW(p, 1);
+    PDMC_TRY(create(options, p));
+    *particles = p;
+    p = NULL;
+done:
+    pdmc_particles_destroy(p);
+    return status;
+}
+
+void pdmc_particles_destroy(pdmc_particles *p)
+{
+    if (!p) return;
+    pdmc_lattice_clear(&p->lattice);
+    pdmc_contact_clear(&p->contact);
+    for (int k = 0; k < p->layer_count; k++) pdmc_layer_clear(&p->layers[k]);
+    for (int a = 0; a < PDMC_AXES; a++) {
+        pdmc_free(p->position[a]);
+        pdmc_free(p->velocity[a]);
+        pdmc_free(p->force[a]);
+    }
+    void *const others[] = {p->density,  p->laws,         p->unbreakable,    p->limit, p->next_limit,
+                            p->fracture, p->elastic,      p->contact_energy, p->share, p->layers,
+                            p->spheres,  p->sphere_force, p->sphere_energy};
+    for (size_t k = 0; k < sizeof others / sizeof *others; k++) pdmc_free(others[k]);
+    pdmc_free(p);
+}

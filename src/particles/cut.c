@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particles/lattice.h"
+#include "pdmc/geometry.h"
+
+#include <math.h>
+
+static double dot(const double a[], const double b[])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[], const double b[], double out[])
+{
+    for (int k = 0; k < PDMC_AXES; k++) out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+/// Where the segment pq crosses the plane through a point; a plane that holds an end belongs to the side of its normal.
+static bool cross_plane(const double point[], const double normal[], const double p[], const double q[], double at[])
+{
+    double from[PDMC_AXES], to[PDMC_AXES];
+    for (int a = 0; a < PDMC_AXES; a++) from[a] = p[a] - point[a], to[a] = q[a] - point[a];
+    const double below = dot(from, normal), above = dot(to, normal);
+    if ((below < 0.0) == (above < 0.0)) return false;
+    const double share = below / (below - above);
+    for (int a = 0; a < PDMC_AXES; a++) at[a] = from[a] + share * (to[a] - from[a]);
+    return true;
+}
+
+static bool crosses(const pdmc_planar_crack *crack, const double p[], const double q[])
+{
+    double at[PDMC_AXES], normal[PDMC_AXES];
+    switch (crack->kind) {
+    case PDMC_CRACK_SEGMENT: return pdmc_segments_cross(p, q, crack->from, crack->to);
+    case PDMC_CRACK_DISC:
+        return cross_plane(crack->centre, crack->normal, p, q, at) && dot(at, at) <= crack->radius * crack->radius;
+    case PDMC_CRACK_RECTANGLE:
+        cross(crack->side[0], crack->side[1], normal);
+        if (!cross_plane(crack->centre, normal, p, q, at)) return false;
+        return fabs(dot(at, crack->side[0])) <= dot(crack->side[0], crack->side[0]) &&
+               fabs(dot(at, crack->side[1])) <= dot(crack->side[1], crack->side[1]);
+    }
+    return false;
+}
+
+static bool is_cut(int count, const pdmc_planar_crack cracks[], const double p[], const double q[])
+{
+    for (int c = 0; c < count; c++)
+        if (crosses(&cracks[c], p, q)) return true;
+    return false;
+}
+
+/// Both directions of a bond are asked in the same order of its ends, so that they agree.
+static bool bond_is_cut(const pdmc_lattice *g, int count, const pdmc_planar_crack cracks[], size_t i, size_t j)
+{
+    double p[PDMC_AXES], q[PDMC_AXES];
+    const size_t first = i < j ? i : j, second = i < j ? j : i;
+    for (int a = 0; a < PDMC_AXES; a++) p[a] = g->reference[a][first], q[a] = g->reference[a][second];
+    return is_cut(count, cracks, p, q);
+}
+
+void pdmc_lattice_cut(pdmc_lattice *g, int count, const pdmc_planar_crack cracks[])
+{
+    if (count == 0) return;
+    for (int b = 0; b < g->block_count; b++) {
+        const pdmc_block *block = &g->blocks[b];
+        for (int n = 0; n < block->listed; n++) {
+            uint8_t *bond = &g->bonds[block->bonds + (size_t)n];
+            const ptrdiff_t shift = g->neighbours[g->lists[block->list + n]].shift;
+            for (unsigned left = *bond; left; left &= left - 1) {
+                const size_t i = block->cell + (size_t)__builtin_ctz(left);
+                if (bond_is_cut(g, count, cracks, i, (size_t)((ptrdiff_t)i + shift)))
+                    *bond &= (uint8_t) ~(1u << __builtin_ctz(left));
+            }
+        }
+    }
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// The forces of bonds and of short-range repulsion between nodes that are neighbours in the reference configuration.
+///
+/// A node sums its own bonds, in the order of the neighbours: nothing is scattered, so that no result depends on threads, and
+/// both directions of a bond are computed from the same numbers and agree to the bit.
+
+#include "particles/lattice.h"
+
+/// A material as the kernels want it.
+typedef struct {
+    double micromodulus, critical_stretch, strengthening;
+} pdmc_bond_law;
+
+typedef struct {
+    const pdmc_lattice *lattice;
+    const pdmc_bond_law *laws;         // [materials]
+    double repulsion;                  // force / length^4: of a node, by distance and by the node's volume
+    bool energies;                     // whether elastic and contact are wanted, instead of the forces
+    const double *position[PDMC_AXES]; // [cells]
+    const double *limit;               // [cells] 1 / (1 + s_0)
+    double *next_limit;                // [cells] of the next step
+    double *force[PDMC_AXES];          // [cells] on a unit of volume
+    double *fracture; // [blocks] to which the energies of bonds that break are added: a half for each direction
+    double *elastic, *contact; // [blocks]
+} pdmc_forces;
+
+/// Computes the forces of blocks first .. last - 1, and breaks the bonds that are stretched beyond s_0: from the next step on.
+typedef void pdmc_forces_kernel(const pdmc_forces *forces, int first, int last);
+
+pdmc_forces_kernel pdmc_forces_portable;
+#ifdef PDMC_HAVE_X86
+pdmc_forces_kernel pdmc_forces_avx2;
+pdmc_forces_kernel pdmc_forces_avx512;
+#endif
+
+/// The fastest kernel of this machine. @param[out] name  of it
+pdmc_forces_kernel *pdmc_forces_choose(const char **name);

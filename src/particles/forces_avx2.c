@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#define KERNEL pdmc_forces_avx2
+#include "particles/lanes_avx2.h"
+
+#include "particles/forces_kernel.h"

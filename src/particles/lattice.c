@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particles/lattice.h"
+
+#include "base/base_impl.h"
+
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+static const double slack = 1e-9;    // of the spacing, where a region's edge or the horizon runs through nodes
+static const double far_away = 1e30; // in spacings: where empty cells are, so that nothing touches them
+static const double most_cells = 2e9;
+
+static size_t index_of(const pdmc_lattice *g, const int place[])
+{
+    return g->origin + (size_t)place[0] + (size_t)place[1] * g->pitch[1] + (size_t)place[2] * g->pitch[2];
+}
+
+/// The corners of a shape's bounding box.
+static void bounds(const pdmc_shape *shape, double low[], double high[])
+{
+    for (int a = 0; a < PDMC_AXES; a++) {
+        low[a] = fmin(shape->from[a], shape->to[a]), high[a] = fmax(shape->from[a], shape->to[a]);
+        const bool round = shape->kind == PDMC_SHAPE_BALL || (shape->kind == PDMC_SHAPE_CYLINDER && low[a] == high[a]);
+        if (shape->kind == PDMC_SHAPE_BALL) low[a] = high[a] = shape->centre[a];
+        if (round) low[a] -= shape->radius, high[a] += shape->radius;
+    }
+}
+
+/// The box of cells that holds all bodies.
+static pdmc_status find_box(const pdmc_particles_options *options, pdmc_lattice *g)
+{
+    double cells = 1.0;
+    for (int a = 0; a < PDMC_AXES; a++) {
+        double first = INFINITY, last = -INFINITY;
+        for (int b = 0; b < options->body_count; b++) {
+            double low[PDMC_AXES], high[PDMC_AXES];
+            bounds(&options->bodies[b].shape, low, high);
+            first = fmin(first, ceil((low[a] - g->offset[a]) / g->spacing - slack));
+            last = fmax(last, floor((high[a] - g->offset[a]) / g->spacing + slack));
+        }
+        if (a >= g->dimension) first = last = 0.0;
+        PDMC_REQUIRE(first <= last, "no node: the bodies hold no point of the grid");
+        cells *= last - first + 1.0;
+        PDMC_REQUIRE(cells < most_cells && fabs(first) < most_cells, "the grid would have more than %g cells",
+                     most_cells);
+        g->first[a] = (int)first;
+        g->count[a] = (int)(last - first) + 1;
+    }
+    return PDMC_OK;
+}
+
+/// Rows begin at a multiple of PDMC_LANES. Empty cells stand between rows, layers, and at both ends, `reach` of them at least.
+static void lay_out(pdmc_lattice *g, int reach)
+{
+    const size_t lanes = PDMC_LANES, empty = (size_t)reach;
+    g->pitch[0] = 1;
+    g->pitch[1] = ((size_t)g->count[0] + lanes - 1) / lanes * lanes + (empty + lanes - 1) / lanes * lanes;
+    g->pitch[2] = g->dimension < 3 ? 0 : g->pitch[1] * ((size_t)g->count[1] + empty);
+    g->origin = empty * (g->pitch[2] + g->pitch[1]) + (empty + lanes - 1) / lanes * lanes;
+    g->cells = 2 * g->origin + g->pitch[1] * (size_t)g->count[1] + g->pitch[2] * (size_t)(g->count[2] - 1);
+}
+
+static double counted_share(pdmc_volume_rule rule, double length, double horizon, double spacing)
+{
+    if (rule == PDMC_VOLUME_WHOLE) return 1.0;
+    return fmin(1.0, 0.5 + (horizon - length) / spacing);
+}
+
+static pdmc_status find_neighbours(const pdmc_particles_options *options, pdmc_lattice *g)
+{
+    pdmc_status status = PDMC_OK;
+    const double h = g->spacing, horizon = options->horizon;
+    const int reach = (int)floor(horizon / h + slack), layers = g->dimension < 3 ? 0 : reach;
+    const int width = 2 * reach + 1;
+    PDMC_NEW(g->neighbours, width * width * (2 * layers + 1));
+    for (int z = -layers; z <= layers; z++) {
+        for (int y = -reach; y <= reach; y++) {
+            for (int x = -reach; x <= reach; x++) {
+                const double length = h * sqrt((double)(x * x + y * y + z * z));
+                if (length == 0.0 || length > horizon + slack * h) continue;
+                const double weight = g->volume * counted_share(options->volume_rule, length, horizon, h);
+                const double touching = fmin(0.9 * length, options->contact_distance * h);
+                g->neighbours[g->neighbour_count++] = (pdmc_neighbour){
+                    .shift = x + y * (ptrdiff_t)g->pitch[1] + z * (ptrdiff_t)g->pitch[2],
+                    .step = {x, y, z},
+                    .weight = weight,
+                    .length = length,
+                    .stiffness = weight / length,
+                    .touching = touching > 0.0 ? 1.0 / touching : INFINITY,
+                };
+            }
+        }
+    }
+done:
+    return status;
+}
+
+/// The body that has the node, -1 for none.
+static int body_at(const pdmc_particles_options *options, const double x[])
+{
+    int body = -1;
+    for (int b = 0; b < options->body_count; b++)
+        if (pdmc_shape_holds(&options->bodies[b].shape, x, slack * options->spacing)) body = b;
+    return body;
+}
+
+static void place_nodes(const pdmc_particles_options *options, pdmc_lattice *g)
+{
+    int16_t *body = g->body;
+    for (size_t c = 0; c < g->cells; c++) {
+        body[c] = -1;
+        for (int a = 0; a < PDMC_AXES; a++) g->reference[a][c] = far_away * g->spacing;
+    }
+    int place[PDMC_AXES];
+    for (place[2] = 0; place[2] < g->count[2]; place[2]++) {
+        for (place[1] = 0; place[1] < g->count[1]; place[1]++) {
+            for (place[0] = 0; place[0] < g->count[0]; place[0]++) {
+                double x[PDMC_AXES] = {0.0};
+                for (int a = 0; a < g->dimension; a++) x[a] = g->offset[a] + g->spacing * (g->first[a] + place[a]);
+                const size_t c = index_of(g, place);
+                body[c] = (int16_t)body_at(options, x);
+                if (body[c] < 0) continue;
+                g->node_count++;
+                for (int a = 0; a < PDMC_AXES; a++) g->reference[a][c] = x[a];
+            }
+        }
+    }
+}
+
+static void list_nodes(pdmc_lattice *g)
+{
+    size_t node = 0;
+    for (size_t c = 0; c < g->cells; c++)
+        if (g->body[c] >= 0) g->nodes[node++] = c;
+}
+
+static uint8_t lanes_of_body(const int16_t body[], int wanted)
+{
+    unsigned bits = 0;
+    for (int k = 0; k < PDMC_LANES; k++) bits |= (unsigned)(body[k] == wanted) << k;
+    return (uint8_t)bits;
+}
+
+/// The blocks of the cells from c on: one a body. Counts them where there is no room yet.
+static void add_blocks(const pdmc_particles_options *options, pdmc_lattice *g, size_t c, int *nodes_before)
+{
+    const int16_t *body = g->body;
+    const uint8_t all = (uint8_t)~lanes_of_body(&body[c], -1);
+    uint8_t left = all;
+    while (left) {
+        const int b = body[c + (size_t)__builtin_ctz(left)];
+        const uint8_t nodes = lanes_of_body(&body[c], b);
+        if (g->blocks)
+            g->blocks[g->block_count] = (pdmc_block){.cell = c,
+                                                     .body = b,
+                                                     .material = options->bodies[b].material,
+                                                     .first_node = *nodes_before,
+                                                     .nodes = nodes,
+                                                     .occupied = all};
+        g->block_count++;
+        left &= (uint8_t)~nodes;
+    }
+    *nodes_before += __builtin_popcount(all);
+}
+
+static void find_blocks(const pdmc_particles_options *options, pdmc_lattice *g)
+{
+    int nodes_before = 0;
+    g->block_count = 0;
+    for (int z = 0; z < g->count[2]; z++)
+        for (int y = 0; y < g->count[1]; y++)
+            for (int x = 0; x < g->count[0]; x += PDMC_LANES)
+                add_blocks(options, g, index_of(g, (int[]){x, y, z}), &nodes_before);
+}
+
+/// The whole bonds of a block to one of the neighbours.
+static uint8_t bonded(const pdmc_block *block, const int16_t body[], ptrdiff_t shift)
+{
+    return block->nodes & lanes_of_body(&body[(ptrdiff_t)block->cell + shift], block->body);
+}
+
+/// Whether a block's nodes have anybody at a neighbour's place, their own body or another.
+static bool meets(const pdmc_block *block, const int16_t body[], ptrdiff_t shift)
+{
+    return (block->nodes & (uint8_t)~lanes_of_body(&body[(ptrdiff_t)block->cell + shift], -1)) != 0;
+}
+
+/// The list of neighbours that a block meets. Most blocks meet the same as one not long before them.
+static void find_list(pdmc_lattice *g, pdmc_block *block, int previous[], int kept, int *next)
+{
+    uint16_t *list = &g->lists[g->list_size];
+    int listed = 0;
+    for (int n = 0; n < g->neighbour_count; n++)
+        if (meets(block, g->body, g->neighbours[n].shift)) list[listed++] = (uint16_t)n;
+    block->list = g->list_size;
+    block->listed = listed;
+    for (int k = 0; k < kept && previous[2 * k + 1] > 0; k++) {
+        if (previous[2 * k + 1] != listed || memcmp(&g->lists[previous[2 * k]], list, (size_t)listed * sizeof *list))
+            continue;
+        block->list = previous[2 * k];
+        return;
+    }
+    g->list_size += listed;
+    previous[2 * *next] = block->list;
+    previous[2 * *next + 1] = listed;
+    *next = (*next + 1) % kept;
+}
+
+/// The lists, and room for the bonds.
+static pdmc_status find_lists(pdmc_lattice *g)
+{
+    enum { KEPT = 64 };
+    int previous[2 * KEPT] = {0}, next = 0;
+    pdmc_status status = PDMC_OK;
+    const double most = (double)g->block_count * g->neighbour_count;
+    if (most > INT_MAX) return pdmc_raise(PDMC_ERR_ARG, "the grid would have more than %d bonds", INT_MAX);
+    PDMC_NEW(g->lists, (size_t)g->block_count * (size_t)g->neighbour_count);
+    for (int b = 0; b < g->block_count; b++) {
+        find_list(g, &g->blocks[b], previous, KEPT, &next);
+        g->blocks[b].bonds = g->bond_bytes;
+        g->bond_bytes += (size_t)g->blocks[b].listed;
+    }
+done:
+    return status;
+}
+
+static void join(pdmc_lattice *g)
+{
+    for (int b = 0; b < g->block_count; b++) {
+        const pdmc_block *block = &g->blocks[b];
+        int whole[PDMC_LANES];
+        for (int n = 0; n < block->listed; n++)
+            g->bonds[block->bonds + (size_t)n] = bonded(block, g->body, g->neighbours[g->lists[block->list + n]].shift);
+        pdmc_lattice_whole(g, block, whole);
+        for (int k = 0; k < PDMC_LANES; k++)
+            if (block->nodes >> k & 1) g->family[block->cell + (size_t)k] = (uint16_t)whole[k];
+    }
+}
+
+pdmc_status pdmc_lattice_create(const pdmc_particles_options *options, pdmc_lattice *g)
+{
+    pdmc_status status = PDMC_OK;
+    *g = (pdmc_lattice){.dimension = options->dimension, .spacing = options->spacing};
+    const double h = options->spacing;
+    g->volume = h * h * (g->dimension < 3 ? options->thickness : h);
+    memcpy(g->offset, options->offset, sizeof g->offset);
+    PDMC_TRY(find_box(options, g));
+    lay_out(g, (int)floor(options->horizon / h + slack));
+    PDMC_NEW(g->body, g->cells + PDMC_LANES);
+    for (int a = 0; a < PDMC_AXES; a++) PDMC_NEW(g->reference[a], g->cells + PDMC_LANES);
+    PDMC_TRY(find_neighbours(options, g));
+    place_nodes(options, g);
+    if (g->node_count == 0) PDMC_FAIL(PDMC_ERR_ARG, "no node: the bodies hold no point of the grid");
+    PDMC_NEW(g->nodes, g->node_count);
+    list_nodes(g);
+    find_blocks(options, g);
+    PDMC_NEW(g->blocks, g->block_count);
+    find_blocks(options, g);
+    PDMC_TRY(find_lists(g));
+    PDMC_NEW(g->bonds, g->bond_bytes);
+    PDMC_NEW(g->family, g->cells);
+    join(g);
+
+done:
+    return status;
+}
+
+void pdmc_lattice_clear(pdmc_lattice *g)
+{
+    for (int a = 0; a < PDMC_AXES; a++) pdmc_free(g->reference[a]);
+    pdmc_free(g->neighbours);
+    pdmc_free(g->body);
+    pdmc_free(g->nodes);
+    pdmc_free(g->lists);
+    pdmc_free(g->blocks);
+    pdmc_free(g->bonds);
+    pdmc_free(g->family);
+    *g = (pdmc_lattice){0};
+}
+
+void pdmc_lattice_whole(const pdmc_lattice *g, const pdmc_block *block, int whole[])
+{
+    memset(whole, 0, PDMC_LANES * sizeof *whole);
+    for (int n = 0; n < block->listed; n++)
+        for (int k = 0; k < PDMC_LANES; k++) whole[k] += g->bonds[block->bonds + (size_t)n] >> k & 1;
+}
+
+int pdmc_lattice_node(const pdmc_block *block, int k)
+{
+    return block->first_node + __builtin_popcount(block->occupied & ((1u << k) - 1u));
+}

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/base_impl.h"
+#include "particles/particles_impl.h"
+#include "particles/sphere.h"
+
+#include <math.h>
+
+/// Calls the kernel for shares of the blocks that have about as many bonds.
+static void run_kernel(const pdmc_particles *p, const pdmc_forces *forces)
+{
+    enum { CHUNK = 64 }; // blocks: small enough for the threads to end together
+    const int chunks = (p->lattice.block_count + CHUNK - 1) / CHUNK;
+#pragma omp parallel for num_threads(p->threads) schedule(dynamic)
+    for (int c = 0; c < chunks; c++) {
+        const int last = CHUNK * (c + 1) < p->lattice.block_count ? CHUNK * (c + 1) : p->lattice.block_count;
+        p->kernel(forces, CHUNK * c, last);
+    }
+}
+
+static pdmc_forces forces_of(const pdmc_particles *p)
+{
+    pdmc_forces forces = {.lattice = &p->lattice,
+                          .laws = p->laws,
+                          .repulsion = p->repulsion,
+                          .limit = p->limit,
+                          .next_limit = p->next_limit,
+                          .fracture = p->fracture,
+                          .elastic = p->elastic,
+                          .contact = p->contact_energy};
+    for (int a = 0; a < PDMC_AXES; a++) {
+        forces.position[a] = p->position[a];
+        forces.force[a] = p->force[a];
+    }
+    return forces;
+}
+
+void pdmc_particles_find_energies(const pdmc_particles *p)
+{
+    pdmc_forces forces = forces_of(p);
+    forces.laws = p->unbreakable;
+    forces.energies = true;
+    run_kernel(p, &forces);
+}
+
+static void meet_spheres(pdmc_particles *p)
+{
+    for (int s = 0; s < p->sphere_count; s++)
+        p->sphere_energy[s] = pdmc_sphere_push(&p->spheres[s], &p->lattice, p->position, p->threads, p->force, p->share,
+                                               &p->sphere_force[PDMC_AXES * s]);
+}
+
+/// All forces at the time but those of conditions.
+static pdmc_status find_forces(pdmc_particles *p)
+{
+    const pdmc_forces forces = forces_of(p);
+    run_kernel(p, &forces);
+    double *limit = p->limit;
+    p->limit = p->next_limit;
+    p->next_limit = limit;
+    pdmc_status status = pdmc_contact_update(&p->contact, &p->lattice, p->position, p->threads);
+    if (status != PDMC_OK) return status;
+    pdmc_contact_add(&p->contact, &p->lattice, p->position, p->threads, p->force);
+    meet_spheres(p);
+    return PDMC_OK;
+}
+
+/// y += factor x for a block's nodes. Empty cells hold zeros in x, so that they need no care where no other body is.
+static void add_to(const pdmc_block *block, double factor, const double x[], double y[])
+{
+    const bool alone = block->nodes == block->occupied;
+    for (int k = 0; k < PDMC_LANES; k++)
+        if (alone || block->nodes >> k & 1) y[k] += factor * x[k];
+}
+
+static void move(pdmc_particles *p, double step)
+{
+    const pdmc_lattice *g = &p->lattice;
+#pragma omp parallel for num_threads(p->threads) schedule(static)
+    for (int b = 0; b < g->block_count; b++)
+        for (int a = 0; a < PDMC_AXES; a++)
+            add_to(&g->blocks[b], step, &p->velocity[a][g->blocks[b].cell], &p->position[a][g->blocks[b].cell]);
+    for (int s = 0; s < p->sphere_count; s++)
+        for (int a = 0; a < PDMC_AXES; a++) p->spheres[s].centre[a] += step * p->spheres[s].velocity[a];
+}
+
+/// No node moves by more than the horizon in a step, unless the step is far too large. NaN does not either.
+static bool is_lost(const pdmc_particles *p, double velocity)
+{
+    return !(fabs(velocity) * p->step <= p->contact.horizon);
+}
+
+/// @return whether no node is lost
+static bool accelerate(pdmc_particles *p, double step)
+{
+    const pdmc_lattice *g = &p->lattice;
+    int lost = 0; // whichever thread sees it, and however often
+#pragma omp parallel for num_threads(p->threads) schedule(static) reduction(| : lost)
+    for (int b = 0; b < g->block_count; b++) {
+        const pdmc_block *block = &g->blocks[b];
+        for (int a = 0; a < PDMC_AXES; a++) {
+            double *velocity = &p->velocity[a][block->cell];
+            add_to(block, step / p->density[block->material], &p->force[a][block->cell], velocity);
+            for (int k = 0; k < PDMC_LANES; k++) lost |= is_lost(p, velocity[k]);
+        }
+    }
+    return lost == 0;
+}
+
+static void accelerate_spheres(pdmc_particles *p, double step)
+{
+    for (int s = 0; s < p->sphere_count; s++) {
+        pdmc_rigid_sphere *sphere = &p->spheres[s];
+        for (int a = 0; a < PDMC_AXES; a++) {
+            const double force = p->sphere_force[PDMC_AXES * s + a];
+            if (isinf(sphere->mass)) p->work -= force * sphere->velocity[a] * step;
+            else sphere->velocity[a] += step * force / sphere->mass;
+        }
+    }
+}
+
+/// Takes the last acceleration back where it can be, so that the state is finite.
+static void restore(pdmc_particles *p, const pdmc_block *block, int k)
+{
+    for (int a = 0; a < PDMC_AXES; a++) {
+        const size_t c = block->cell + (size_t)k;
+        const double before = p->velocity[a][c] - p->step / p->density[block->material] * p->force[a][c];
+        p->velocity[a][c] = isfinite(before) ? before : 0.0;
+        if (!isfinite(p->force[a][c])) p->force[a][c] = 0.0;
+    }
+}
+
+static pdmc_status report_lost(pdmc_particles *p)
+{
+    const pdmc_lattice *g = &p->lattice;
+    const double *first = NULL;
+    double x[PDMC_AXES] = {0.0};
+    for (int b = 0; b < g->block_count; b++) {
+        for (unsigned left = g->blocks[b].nodes; left; left &= left - 1) {
+            const int k = __builtin_ctz(left);
+            const size_t c = g->blocks[b].cell + (size_t)k;
+            if (!is_lost(p, p->velocity[0][c]) && !is_lost(p, p->velocity[1][c]) && !is_lost(p, p->velocity[2][c]))
+                continue;
+            for (int a = 0; a < PDMC_AXES && !first; a++) x[a] = g->reference[a][c];
+            first = x;
+            restore(p, &g->blocks[b], k);
+        }
+    }
+    return pdmc_raise(
+        PDMC_ERR_SINGULAR,
+        "step %d, time %g: the node at (%g, %g, %g) would move by more than the horizon in a step: the step is not "
+        "stable, or forces are too large",
+        p->steps, pdmc_particles_time(p), x[0], x[1], x[2]);
+}
+
+/// From half a step before the time to half a step after it.
+static pdmc_status kick(pdmc_particles *p)
+{
+    const double time = pdmc_particles_time(p);
+    for (int k = 0; k < p->layer_count; k++)
+        p->work += pdmc_layer_act(&p->layers[k], time, p->step, p->lattice.volume, p->velocity, p->force);
+    accelerate_spheres(p, p->step);
+    return accelerate(p, p->step) ? PDMC_OK : report_lost(p);
+}
+
+pdmc_status pdmc_particles_start(pdmc_particles *p)
+{
+    const pdmc_status status = find_forces(p);
+    if (status != PDMC_OK) return status;
+    accelerate(p, -0.5 * p->step);
+    accelerate_spheres(p, -0.5 * p->step);
+    p->work = 0.0;
+    return kick(p);
+}
+
+pdmc_status pdmc_particles_advance(pdmc_particles *p, int steps)
+{
+    for (int k = 0; k < steps; k++) {
+        move(p, p->step);
+        p->steps++;
+        pdmc_status status = find_forces(p);
+        if (status == PDMC_OK) status = kick(p);
+        if (status != PDMC_OK) return status;
+    }
+    return PDMC_OK;
+}

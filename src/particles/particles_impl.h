@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Bodies in motion: what the files of this room share.
+
+#include "particles/contact.h"
+#include "particles/forces.h"
+#include "particles/layers.h"
+
+struct pdmc_particles {
+    pdmc_lattice lattice;
+    int threads, material_count;
+    double *density;                   // [materials]
+    pdmc_bond_law *laws, *unbreakable; // [materials]
+    pdmc_forces_kernel *kernel;
+    const char *kernel_name;
+    double *position[PDMC_AXES], *force[PDMC_AXES]; // [cells] at the time
+    double *velocity[PDMC_AXES];                    // [cells] half a step after it
+    double *limit, *next_limit;                     // [cells] 1 / (1 + s_0)
+    double *fracture, *elastic, *contact_energy;    // [blocks]
+    double *share;                                  // [blocks, 4] room for sums
+    double repulsion;
+    pdmc_contact contact;
+    int layer_count, sphere_count;
+    pdmc_layer *layers;
+    pdmc_rigid_sphere *spheres; // at the time, with their velocities half a step after it
+    double *sphere_force;       // [spheres, 3] of the nodes
+    double *sphere_energy;      // [spheres]
+    double stable_step, step, work, first;
+    int steps;
+};
+
+/// From the state at time 0 to velocities half a step after it.
+PDMC_NODISCARD pdmc_status pdmc_particles_start(pdmc_particles *particles);
+
+/// Elastic and contact energies of the blocks, as they are.
+void pdmc_particles_find_energies(const pdmc_particles *particles);

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particles/sphere.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SHARE = PDMC_AXES + 1 }; // of a block: the force on the sphere, and the energy
+
+static void push_node(const pdmc_rigid_sphere *sphere, double volume, double *const position[], size_t c,
+                      double *const force[], double share[])
+{
+    double out[PDMC_AXES], square = 0.0;
+    for (int a = 0; a < PDMC_AXES; a++) {
+        out[a] = position[a][c] - sphere->centre[a];
+        square += out[a] * out[a];
+    }
+    if (square >= sphere->radius * sphere->radius || square == 0.0) return;
+    const double distance = sqrt(square), depth = sphere->radius - distance;
+    const double push = sphere->stiffness * depth * depth / distance;
+    for (int a = 0; a < PDMC_AXES; a++) {
+        force[a][c] += push * out[a];
+        share[a] -= push * out[a] * volume;
+    }
+    share[PDMC_AXES] += sphere->stiffness * depth * depth * depth / 3.0 * volume;
+}
+
+double pdmc_sphere_push(const pdmc_rigid_sphere *sphere, const pdmc_lattice *g, double *const position[PDMC_AXES],
+                        int threads, double *const force[PDMC_AXES], double reaction[], double total[PDMC_AXES])
+{
+    double energy = 0.0;
+    memset(total, 0, PDMC_AXES * sizeof *total);
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (int b = 0; b < g->block_count; b++) {
+        double *share = &reaction[SHARE * (size_t)b];
+        memset(share, 0, SHARE * sizeof *share);
+        for (unsigned left = g->blocks[b].nodes; left; left &= left - 1)
+            push_node(sphere, g->volume, position, g->blocks[b].cell + (size_t)__builtin_ctz(left), force, share);
+    }
+    for (int b = 0; b < g->block_count; b++) {
+        const double *share = &reaction[SHARE * (size_t)b];
+        for (int a = 0; a < PDMC_AXES; a++) total[a] += share[a];
+        energy += share[PDMC_AXES];
+    }
+    return energy;
+}

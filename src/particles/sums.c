@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particles/particles_impl.h"
+
+#include <math.h>
+
+double pdmc_particles_stable_step(const pdmc_particles *p)
+{
+    return p->stable_step;
+}
+double pdmc_particles_step_size(const pdmc_particles *p)
+{
+    return p->step;
+}
+const char *pdmc_particles_kernel(const pdmc_particles *p)
+{
+    return p->kernel_name;
+}
+int pdmc_particles_count(const pdmc_particles *p)
+{
+    return p->lattice.node_count;
+}
+size_t pdmc_particles_bond_bytes(const pdmc_particles *p)
+{
+    return p->lattice.bond_bytes;
+}
+double pdmc_particles_time(const pdmc_particles *p)
+{
+    return p->steps * p->step;
+}
+int pdmc_particles_steps(const pdmc_particles *p)
+{
+    return p->steps;
+}
+
+uint64_t pdmc_particles_bonds(const pdmc_particles *p)
+{
+    uint64_t directions = 0;
+    for (int k = 0; k < p->lattice.node_count; k++) directions += p->lattice.family[p->lattice.nodes[k]];
+    return directions / 2;
+}
+
+/// Between the half steps: v - step / 2 times the acceleration.
+static double velocity_at(const pdmc_particles *p, const pdmc_block *block, int axis, size_t c)
+{
+    return p->velocity[axis][c] - 0.5 * p->step / p->density[block->material] * p->force[axis][c];
+}
+
+static void add_motion(const pdmc_particles *p, const pdmc_block *block, pdmc_particles_sums *sums)
+{
+    const double mass = p->density[block->material] * p->lattice.volume;
+    for (unsigned left = block->nodes; left; left &= left - 1) {
+        const size_t c = block->cell + (size_t)__builtin_ctz(left);
+        for (int a = 0; a < PDMC_AXES; a++) {
+            const double v = velocity_at(p, block, a, c);
+            sums->kinetic += 0.5 * mass * v * v;
+            sums->momentum[a] += mass * v;
+        }
+    }
+}
+
+static void add_damage(const pdmc_particles *p, const pdmc_block *block, pdmc_particles_sums *sums)
+{
+    int whole[PDMC_LANES];
+    pdmc_lattice_whole(&p->lattice, block, whole);
+    for (unsigned left = block->nodes; left; left &= left - 1) {
+        const int k = __builtin_ctz(left);
+        const int family = p->lattice.family[block->cell + (size_t)k];
+        sums->broken += (uint64_t)(family - whole[k]);
+        if (family > 0) sums->mean_damage += 1.0 - (double)whole[k] / family;
+    }
+}
+
+static void add_spheres(const pdmc_particles *p, pdmc_particles_sums *sums)
+{
+    for (int s = 0; s < p->sphere_count; s++) {
+        const pdmc_rigid_sphere *sphere = &p->spheres[s];
+        sums->contact += p->sphere_energy[s];
+        if (isinf(sphere->mass)) continue;
+        for (int a = 0; a < PDMC_AXES; a++) {
+            const double v = sphere->velocity[a] - 0.5 * p->step * p->sphere_force[PDMC_AXES * s + a] / sphere->mass;
+            sums->kinetic += 0.5 * sphere->mass * v * v;
+            sums->momentum[a] += sphere->mass * v;
+        }
+    }
+}
+
+pdmc_particles_sums pdmc_particles_sum(const pdmc_particles *p)
+{
+    pdmc_particles_sums sums = {.work = p->work, .first = p->first};
+    pdmc_particles_find_energies(p);
+    for (int b = 0; b < p->lattice.block_count; b++) {
+        sums.elastic += p->elastic[b];
+        sums.contact += p->contact_energy[b];
+        sums.fracture += p->fracture[b];
+        add_motion(p, &p->lattice.blocks[b], &sums);
+        add_damage(p, &p->lattice.blocks[b], &sums);
+    }
+    sums.contact += pdmc_contact_energy(&p->contact, &p->lattice, p->position);
+    sums.mean_damage /= p->lattice.node_count;
+    sums.broken /= 2;
+    add_spheres(p, &sums);
+    return sums;
+}
+
+void pdmc_particles_reference(const pdmc_particles *p, double x[], int body[])
+{
+    for (int k = 0; k < p->lattice.node_count; k++) {
+        for (int a = 0; a < PDMC_AXES; a++) x[PDMC_AXES * k + a] = p->lattice.reference[a][p->lattice.nodes[k]];
+        if (body) body[k] = p->lattice.body[p->lattice.nodes[k]];
+    }
+}
+
+void pdmc_particles_state(const pdmc_particles *p, double u[], double velocity[], double damage[])
+{
+    const pdmc_lattice *g = &p->lattice;
+    for (int b = 0; b < g->block_count; b++) {
+        const pdmc_block *block = &g->blocks[b];
+        int whole[PDMC_LANES];
+        pdmc_lattice_whole(g, block, whole);
+        for (unsigned left = block->nodes; left; left &= left - 1) {
+            const int k = __builtin_ctz(left), node = pdmc_lattice_node(block, k);
+            const size_t c = block->cell + (size_t)k;
+            for (int a = 0; a < PDMC_AXES; a++) {
+                if (u) u[PDMC_AXES * node + a] = p->position[a][c] - g->reference[a][c];
+                if (velocity) velocity[PDMC_AXES * node + a] = velocity_at(p, block, a, c);
+            }
+            if (damage) damage[node] = g->family[c] > 0 ? 1.0 - (double)whole[k] / g->family[c] : 0.0;
+        }
+    }
+}
+
+void pdmc_particles_spheres(const pdmc_particles *p, pdmc_rigid_sphere spheres[])
+{
+    for (int s = 0; s < p->sphere_count; s++) {
+        spheres[s] = p->spheres[s];
+        if (isinf(spheres[s].mass)) continue;
+        for (int a = 0; a < PDMC_AXES; a++)
+            spheres[s].velocity[a] -= 0.5 * p->step * p->sphere_force[PDMC_AXES * s + a] / spheres[s].mass;
+    }
+}
