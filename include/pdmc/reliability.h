@@ -102,8 +102,8 @@ PDMC_API pdmc_subset_options pdmc_subset_options_default(void);
 /// Subset simulation (Au & Beck 2001): P = product of P(g >= b_j given g >= b_(j-1)), with chains that move from z to
 /// rho z + sqrt(1 - rho^2) xi where g allows it (Papaioannou, Betz, Zwirglmaier & Straub 2015).
 ///
-/// A pilot run finds the levels b_j and the steps. The runs that are averaged then have fixed levels, so that each is an
-/// unbiased estimate, and the interval is that of the mean of independent runs, by Student and Hall (1992). Where the event
+/// A pilot run finds the levels b_j and the steps. The runs that are averaged then have fixed levels, and as many chains of
+/// the same length in each whatever its share (systematic resampling), so that each is an unbiased estimate, and the interval is that of the mean of independent runs, by Student and Hall (1992). Where the event
 /// is not reached, the value is that of what was seen of it, or NaN, the lower bound is 0, and the upper bound that of the
 /// last level's probability.
 /// @return PDMC_OK, PDMC_ERR_ARG, PDMC_ERR_NOMEM, or what g gives

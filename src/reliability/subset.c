@@ -12,20 +12,22 @@ static const double best_acceptance = 0.44; // of the chains' moves (Papaioannou
 static const double first_spread = 0.6;     // sqrt(1 - rho^2) of a move, before anything is known (ibid.)
 static const double stagnant = 0.5;         // share of a level from which on it is no progress: g is flat there
 
-/// Runs side by side, each with the samples of its present level. The seeds of the level stand first; sample i of what
-/// follows is one move from sample i - seeds.
+/// Runs side by side, each with the samples of its present level. The chains' first samples stand first; sample i of
+/// what follows is one move from sample i - chains.
 typedef struct {
     int count;
-    uint64_t first;      // the number of the first run; the others follow
-    double *z, *g;       // [count, samples, dimension], [count, samples]; g is infinite where it is NaN
-    int *seeds, *filled; // [count] samples that were in the level already; samples that there are
-    double *share;       // [count] P(level): the product of the levels' shares
+    uint64_t first; // the number of the first run; the others follow
+    double *z, *g;  // [count, samples, dimension], [count, samples]; g is infinite where it is NaN
+    int *filled;    // [count] samples that there are; 0 where none of the last level were in this one
+    double *share;  // [count] P(level): the product of the levels' shares
 } population;
 
 typedef struct {
     const pdmc_limit_state *limit;
     const pdmc_subset_options *options;
     population pilot, runs;
+    int chains;                    // of a level
+    int *inside;                   // [samples] which of a run's are in the next level
     double *z, *g;                 // [runs samples, dimension], [runs samples] candidates
     int levels;                    // found by the pilot
     double level[MOST_LEVELS];     // b_j
@@ -70,12 +72,16 @@ static double *point(const simulation *s, const population *p, int r, int i)
     return &p->z[place(s, r, i) * (size_t)s->limit->dimension];
 }
 
-/// The normal numbers of a sample: those of one run, level and place, and of no other.
-static void draw(const simulation *s, const population *p, int r, int level, int i, double z[])
+/// Where the numbers of a run, level and place are, which no other has.
+static uint64_t number(const simulation *s, const population *p, int r, int level, int i)
 {
     const uint64_t sample = (p->first + (uint64_t)r) * MOST_LEVELS + (uint64_t)level;
-    pdmc_random_normal(s->options->seed, PDMC_STREAM_SUBSET, sample * (uint64_t)s->options->samples + (uint64_t)i, 0,
-                       s->limit->dimension, z);
+    return sample * (uint64_t)s->options->samples + (uint64_t)i;
+}
+
+static void draw(const simulation *s, const population *p, int r, int level, int i, double z[])
+{
+    pdmc_random_normal(s->options->seed, PDMC_STREAM_SUBSET, number(s, p, r, level, i), 0, s->limit->dimension, z);
 }
 
 static pdmc_status start(simulation *s, population *p)
@@ -89,26 +95,43 @@ static pdmc_status start(simulation *s, population *p)
     return evaluate(s, p->count * n, p->z, p->g);
 }
 
-/// Moves the samples of the next level to the front, in their order.
-static void select_seeds(const simulation *s, population *p, int r, double level)
+static int find_inside(simulation *s, const population *p, int r, double level)
 {
-    const int n = s->options->samples;
-    int seeds = 0;
-    for (int i = 0; i < n; i++) {
-        if (p->g[place(s, r, i)] < level) continue;
-        p->g[place(s, r, seeds)] = p->g[place(s, r, i)];
-        if (seeds < i) memcpy(point(s, p, r, seeds), point(s, p, r, i), (size_t)s->limit->dimension * sizeof *p->z);
-        seeds++;
-    }
-    p->share[r] *= (double)seeds / n;
-    p->seeds[r] = p->filled[r] = seeds;
+    int count = 0;
+    for (int i = 0; i < s->options->samples; i++)
+        if (p->g[place(s, r, i)] >= level) s->inside[count++] = i;
+    return count;
 }
 
-/// Of every chain one, until the level is full; none of a run that has lost all its seeds.
+/// Systematic resampling: as many chains, of the same length, whatever the number of samples inside the level, each
+/// from any of these with the same probability. (A chain from every sample would be the shorter the more there are; a
+/// run with many of them would forget them the less, and the product of the shares would be too large on average.) The
+/// uniform number is that of a chain's first place, which draws no move.
+static void begin_chains(simulation *s, population *p, int r, int j)
+{
+    const size_t d = (size_t)s->limit->dimension, chains = (size_t)s->chains;
+    const size_t inside = (size_t)find_inside(s, p, r, s->level[j]);
+    double u;
+    p->share[r] *= (double)inside / s->options->samples;
+    p->filled[r] = inside > 0 ? s->chains : 0;
+    if (inside == 0) return;
+    pdmc_random_uniform(s->options->seed, PDMC_STREAM_SUBSET, number(s, p, r, j + 1, 0), 0, 1, &u);
+    const size_t shift = (size_t)(u * (double)(chains * inside));
+    for (size_t k = 0; k < chains; k++) {
+        const int from = s->inside[(k * inside + shift) / chains % inside];
+        memcpy(&s->z[k * d], point(s, p, r, from), d * sizeof *s->z);
+        s->g[k] = p->g[place(s, r, from)];
+    }
+    memcpy(point(s, p, r, 0), s->z, chains * d * sizeof *s->z);
+    memcpy(&p->g[place(s, r, 0)], s->g, chains * sizeof *s->g);
+}
+
+/// Of every chain one, until the level is full; none of a run that has nothing in it.
 static int next_moves(const simulation *s, const population *p, int r)
 {
     const int left = s->options->samples - p->filled[r];
-    return left < p->seeds[r] ? left : p->seeds[r];
+    if (p->filled[r] == 0) return 0;
+    return left < s->chains ? left : s->chains;
 }
 
 /// Conditional sampling: rho z + sqrt(1 - rho^2) xi leaves the standard normal distribution as it is, for any rho.
@@ -120,7 +143,7 @@ static int propose(simulation *s, const population *p, int level, double spread)
     for (int r = 0; r < p->count; r++) {
         for (int k = 0; k < next_moves(s, p, r); k++, count++) {
             const int i = p->filled[r] + k;
-            const double *from = point(s, p, r, i - p->seeds[r]);
+            const double *from = point(s, p, r, i - s->chains);
             double *to = &s->z[(size_t)count * (size_t)d];
             draw(s, p, r, level, i, to);
             for (int j = 0; j < d; j++) to[j] = rho * from[j] + spread * to[j];
@@ -137,7 +160,7 @@ static int accept(simulation *s, population *p, double bound)
     for (int r = 0; r < p->count; r++) {
         const int moves = next_moves(s, p, r);
         for (int k = 0; k < moves; k++, candidate++) {
-            const int i = p->filled[r] + k, from = i - p->seeds[r];
+            const int i = p->filled[r] + k, from = i - s->chains;
             const bool inside = s->g[candidate] >= bound;
             const double *to = inside ? &s->z[(size_t)candidate * (size_t)s->limit->dimension] : point(s, p, r, from);
             memcpy(point(s, p, r, i), to, bytes);
@@ -149,7 +172,7 @@ static int accept(simulation *s, population *p, double bound)
     return taken;
 }
 
-/// Fills level j, whose seeds stand ready. The spread is adapted where the caller wants to know it.
+/// Fills level j, whose chains have begun. The spread is adapted where the caller wants to know it.
 static pdmc_status fill(simulation *s, population *p, int j, bool adapt)
 {
     for (int step = 1;; step++) {
@@ -175,7 +198,7 @@ static int count_above_zero(const simulation *s, const population *p, int r, boo
 /// Finds the levels, and the spread of the moves in each.
 static pdmc_status explore(simulation *s)
 {
-    const int n = s->options->samples, wanted = (int)ceil(s->options->level_probability * n);
+    const int n = s->options->samples, wanted = s->chains;
     population *p = &s->pilot;
     pdmc_status status = start(s, p);
     while (status == PDMC_OK) {
@@ -183,9 +206,9 @@ static pdmc_status explore(simulation *s)
         if (s->reached || s->levels == s->options->most_levels) break;
         const int j = s->levels;
         gsl_sort_largest(s->g, (size_t)wanted, p->g, 1, (size_t)n);
-        select_seeds(s, p, 0, s->g[wanted - 1]);
-        if (p->seeds[0] > stagnant * n) break;
         s->level[j] = s->g[wanted - 1];
+        if (find_inside(s, p, 0, s->level[j]) > stagnant * n) break;
+        begin_chains(s, p, 0, j);
         s->spread[j] = j > 0 ? s->spread[j - 1] : first_spread;
         s->levels++;
         status = fill(s, p, j, true);
@@ -200,7 +223,7 @@ static pdmc_status take_runs(simulation *s)
     population *p = &s->runs;
     pdmc_status status = start(s, p);
     for (int j = 0; j < s->levels && status == PDMC_OK; j++) {
-        for (int r = 0; r < p->count; r++) select_seeds(s, p, r, s->level[j]);
+        for (int r = 0; r < p->count; r++) begin_chains(s, p, r, j);
         status = fill(s, p, j, false);
     }
     for (int r = 0; r < p->count && status == PDMC_OK; r++) {
@@ -255,7 +278,6 @@ static pdmc_status population_make(const simulation *s, int count, uint64_t firs
     *p = (population){.count = count, .first = first};
     PDMC_NEW(p->z, place(s, count, 0) * (size_t)s->limit->dimension);
     PDMC_NEW(p->g, place(s, count, 0));
-    PDMC_NEW(p->seeds, count);
     PDMC_NEW(p->filled, count);
     PDMC_NEW(p->share, count);
 
@@ -267,7 +289,6 @@ static void population_clear(population *p)
 {
     pdmc_free(p->z);
     pdmc_free(p->g);
-    pdmc_free(p->seeds);
     pdmc_free(p->filled);
     pdmc_free(p->share);
 }
@@ -278,6 +299,8 @@ pdmc_status pdmc_subset_simulation(const pdmc_limit_state *limit, const pdmc_sub
     pdmc_status status = check(limit, options);
     if (status != PDMC_OK) return status;
     simulation s = {.limit = limit, .options = options};
+    s.chains = (int)ceil(options->level_probability * options->samples);
+    PDMC_NEW(s.inside, options->samples);
     PDMC_NEW(s.z, place(&s, options->runs, 0) * (size_t)limit->dimension);
     PDMC_NEW(s.g, place(&s, options->runs, 0));
     PDMC_TRY(population_make(&s, 1, 0, &s.pilot));
@@ -291,5 +314,6 @@ done:
     population_clear(&s.pilot);
     pdmc_free(s.g);
     pdmc_free(s.z);
+    pdmc_free(s.inside);
     return status;
 }

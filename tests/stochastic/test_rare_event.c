@@ -121,7 +121,7 @@ static void two_tips_make(two_tips *t)
     problem->energy.measure = PDMC_MEASURE_GRIFFITH;
     problem->energy.tip_count = 2;
     problem->energy.tips = t->tips;
-    problem->reliability = (pdmc_reliability_request){PDMC_RARE_BOTH, 0.05, 1000000, 0};
+    problem->reliability = (pdmc_reliability_request){PDMC_RARE_BOTH, 0.06, 1000000, 0};
 }
 
 // P(S / min c > strength): given the load, 1 - (1 - Phi((S / strength - 1) / v))^2, summed over the load by the trapezoidal
