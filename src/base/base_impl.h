@@ -54,5 +54,14 @@ extern int pdmc_alloc_refused;    // tests only: how many were refused
 /// OpenMP for the number: omp_get_max_threads() is 1 from here on, and must not be set to another.
 void pdmc_blas_prepare(void);
 
+/// Before a function: versions of it for processors with longer vectors, chosen when the library is loaded, as in
+/// PDMC_VECTORS("avx512f"). They do the same operations in the same order, without contraction, so that the results do not
+/// depend on which one runs.
+#if defined(__x86_64__) && defined(__gnu_linux__)
+#define PDMC_VECTORS(...) __attribute__((target_clones("default", __VA_ARGS__)))
+#else
+#define PDMC_VECTORS(...)
+#endif
+
 /// Seconds of a clock that only runs forward.
 double pdmc_seconds(void);

@@ -11,15 +11,6 @@ typedef struct {
     tile u[2];
 } tile_vector;
 
-// A version for processors with vectors as long as a tile, chosen when the library is loaded: twice as fast. It does
-// the same operations in the same order, without contraction, so that the results do not depend on it. None for AVX2:
-// gcc 12 splits tiles into its vectors through memory, which is slower than SSE2.
-#if defined(__x86_64__) && defined(__gnu_linux__)
-#define LONGEST_VECTORS __attribute__((target_clones("default", "avx512f")))
-#else
-#define LONGEST_VECTORS
-#endif
-
 static void gather_columns(int nodes, const double x[], tile_vector in[])
 {
     const size_t unknowns = 2 * (size_t)nodes;
@@ -44,8 +35,9 @@ static void gather_stiffness(const pdmc_bond_plate *plate, const double factor[]
     }
 }
 
-// sum_j k e e . (u_i - u_j) of each node, in the order of its bonds
-LONGEST_VECTORS
+// sum_j k e e . (u_i - u_j) of each node, in the order of its bonds. Vectors as long as a tile are twice as fast; none for
+// AVX2: gcc 12 splits tiles into its vectors through memory, which is slower than SSE2.
+PDMC_VECTORS("avx512f")
 static void sum_bonds(const pdmc_bond_plate *plate, const tile stiffness[], const bool is_idle[],
                       const tile_vector in[], double y[])
 {

@@ -2,11 +2,11 @@
 #include "bond/bond.h"
 #include "bond/point.h"
 #include "discretisation/interaction.h"
+#include "discretisation/tip.h"
 
 #include <cblas.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 // The node at x, or -1.
@@ -66,34 +66,21 @@ static double modulus_of_grid(const pdmc_bond *bond)
 pdmc_status pdmc_bond_stress_intensity_rows(const pdmc_bond *bond, int tip, double row_1[], double row_2[])
 {
     const pdmc_problem *problem = bond->problem;
-    const pdmc_crack *crack = &problem->cracks[tip / 2];
-    const double half_length = 0.5 * hypot(crack->to[0] - crack->from[0], crack->to[1] - crack->from[1]);
     const pdmc_gradient_functional functional = {PDMC_BOND_POINT_NODES, bond, gradient_at};
-    const double radius = pdmc_interaction_radius(problem, tip, fmax(half_length, 2.0 * problem->solver.horizon));
+    const double wanted = fmax(pdmc_tip_half_length(problem, tip), 2.0 * problem->solver.horizon);
+    const double radius = pdmc_interaction_radius(problem, tip, wanted);
     const pdmc_status status = pdmc_interaction_rows(problem, tip, radius, &functional, row_1, row_2);
     cblas_dscal(bond->unknowns, modulus_of_grid(bond), row_1, 1);
     cblas_dscal(bond->unknowns, modulus_of_grid(bond), row_2, 1);
     return status;
 }
 
+static pdmc_status tip_rows(const void *method, int tip, double row_1[], double row_2[])
+{
+    return pdmc_bond_stress_intensity_rows(method, tip, row_1, row_2);
+}
+
 pdmc_status pdmc_bond_tip(const pdmc_bond *bond, int tip, pdmc_tip *out)
 {
-    const pdmc_problem *problem = bond->problem;
-    PDMC_REQUIRE(0 <= tip && tip < 2 * problem->crack_count, "tip %d: there are %d", tip, 2 * problem->crack_count);
-    pdmc_status status = PDMC_OK;
-    const int n = bond->unknowns;
-    const pdmc_tip_frame frame = pdmc_tip_frame_of(problem, tip);
-    double *row = NULL;
-    PDMC_NEW(row, 2 * n);
-    PDMC_TRY(pdmc_bond_stress_intensity_rows(bond, tip, row, row + n));
-    snprintf(out->name, sizeof out->name, "%s.%s", problem->cracks[tip / 2].name, tip % 2 ? "to" : "from");
-    for (int k = 0; k < 2; k++) {
-        out->position[k] = frame.position[k];
-        out->stress_intensity[k] = cblas_ddot(n, row + k * n, 1, bond->mean, 1);
-    }
-    out->direction = atan2(frame.sine + 0.0, frame.cosine); // no -0, which would be -pi
-    out->t_stress = NAN;
-done:
-    pdmc_free(row);
-    return status;
+    return pdmc_tip_of(bond->problem, tip, bond->unknowns, bond->mean, tip_rows, bond, out);
 }

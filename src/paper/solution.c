@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/base_impl.h"
+#include "discretisation/tip.h"
 #include "paper/paper_impl.h"
 
 #include <cblas.h>
@@ -85,25 +86,12 @@ done:
     return status;
 }
 
+static pdmc_status tip_rows(const void *method, int tip, double row_1[], double row_2[])
+{
+    return pdmc_paper_stress_intensity_rows(method, tip, row_1, row_2);
+}
+
 pdmc_status pdmc_paper_tip(const pdmc_paper *paper, int tip, pdmc_tip *out)
 {
-    const pdmc_problem *problem = paper->problem;
-    PDMC_REQUIRE(0 <= tip && tip < 2 * problem->crack_count, "tip %d: there are %d", tip, 2 * problem->crack_count);
-    pdmc_status status = PDMC_OK;
-    const pdmc_crack *crack = &problem->cracks[tip / 2];
-    const double *other = tip % 2 ? crack->from : crack->to, *at = tip % 2 ? crack->to : crack->from;
-    const int n = paper->unknowns;
-    double *row = NULL;
-    PDMC_NEW(row, 2 * n);
-    PDMC_TRY(pdmc_paper_stress_intensity_rows(paper, tip, row, row + n));
-    *out = (pdmc_tip){.position = {at[0], at[1]},
-                      .direction = atan2(at[1] - other[1], at[0] - other[0]),
-                      .t_stress = NAN,
-                      .stress_intensity_error = {NAN, NAN},
-                      .t_stress_error = NAN};
-    snprintf(out->name, sizeof out->name, "%s.%s", crack->name, tip % 2 ? "to" : "from");
-    for (int k = 0; k < 2; k++) out->stress_intensity[k] = cblas_ddot(n, row + k * n, 1, paper->coefficients, 1);
-done:
-    pdmc_free(row);
-    return status;
+    return pdmc_tip_of(paper->problem, tip, paper->unknowns, paper->coefficients, tip_rows, paper, out);
 }

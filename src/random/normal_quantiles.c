@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pdmc/random.h"
 
-#include <math.h>
+#include "base/base_impl.h"
 
-// A version for processors with longer vectors, chosen when the library is loaded; the same operations in the same order,
-// without contraction.
-#if defined(__x86_64__) && defined(__gnu_linux__)
-#define LONGEST_VECTORS __attribute__((target_clones("default", "avx2", "avx512f")))
-#else
-#define LONGEST_VECTORS
-#endif
+#include <math.h>
 
 enum { DEGREE = 7, BATCH = 64 };
 
@@ -29,7 +23,7 @@ static const double denominator[DEGREE + 1] = {1.0,
                                                5.2264952788528545610e3};
 
 // Of all numbers, those in the tails too, whose values are then of no use.
-LONGEST_VECTORS
+PDMC_VECTORS("avx2", "avx512f")
 static void central_quantiles(size_t count, const double u[], double z[])
 {
     for (size_t i = 0; i < count; i++) {

@@ -71,7 +71,7 @@ static norms measure(const pooled *p)
 /// What a sample drawn from the sample, with replacement, has more of each value than the sample.
 static void resample(uint64_t number, uint64_t which, size_t count, double draw[], int weight[])
 {
-    pdmc_random_uniform(resampling_seed, PDMC_STREAM_LOAD, 2 * number + which, 0, count, draw);
+    pdmc_random_uniform(resampling_seed, PDMC_STREAM_RESAMPLING, 2 * number + which, 0, count, draw);
     for (size_t i = 0; i < count; i++) weight[i] = -1;
     for (size_t i = 0; i < count; i++) weight[(size_t)(draw[i] * (double)count)]++;
 }

@@ -4,14 +4,6 @@
 
 #include <math.h>
 
-// A version for processors with longer vectors, chosen when the library is loaded. It does the same operations in the
-// same order, without contraction, so that the results do not depend on it.
-#if defined(__x86_64__) && defined(__gnu_linux__)
-#define LONGEST_VECTORS __attribute__((target_clones("default", "avx512f")))
-#else
-#define LONGEST_VECTORS
-#endif
-
 enum { LANES = 8, BATCH = 64 };
 
 typedef double lanes __attribute__((vector_size(LANES * sizeof(double))));
@@ -69,7 +61,7 @@ void pdmc_tally_destroy(pdmc_tally **tally)
 }
 
 /// Sums of z, z^2, z^3, z^4, each in LANES that are then added in their order.
-LONGEST_VECTORS
+PDMC_VECTORS("avx512f")
 static void sum_powers(size_t count, const double x[], double shift, double scale, double sum[TALLY_POWERS])
 {
     const double scaled_shift = shift * scale; // the difference of two large numbers may be too large before scaling
@@ -91,7 +83,7 @@ static void sum_powers(size_t count, const double x[], double shift, double scal
     }
 }
 
-LONGEST_VECTORS
+PDMC_VECTORS("avx512f")
 static size_t count_above(size_t count, const double x[], double threshold)
 {
     size_t above = 0;
