@@ -182,6 +182,7 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_statistics_pairs(size_t n, const double
 /// A mean found with control variates.
 typedef struct {
     pdmc_estimate mean;
+    double correlation; // of x and its regression on the controls, the multiple correlation R
     double reduction; // variance of the plain mean over that of this one: how many times the samples it is worth
     size_t controls;  // how many were used
 } pdmc_controlled;
@@ -191,11 +192,30 @@ typedef struct {
 /// The interval is the regression's, Student's with n - 1 - controls degrees of freedom: exact where x given c is
 /// normal and linear in c, else for many samples (Lavenberg & Welch 1981). For many samples the reduction is 1 / (1 -
 /// R^2). Controls without spread, and combinations of controls that are linear in others, are left out.
+///
+/// Where mu is itself the mean of N samples, of which these are the first n, the variance is that of the two phases,
+/// s^2 ((1 - R^2) / n + R^2 / N) for many samples (Cochran, Sampling Techniques, section 12.6).
 /// @param[in] n         number of samples, from controls + 2 to INT_MAX
 /// @param[in] x         [n] finite
 /// @param[in] c         [n, controls] finite
-/// @param[in] mean      [controls] of the controls, exact
+/// @param[in] mean      [controls] of the controls
+/// @param[in] known_by  N >= n, the samples whose mean that is; INFINITY where it is exact
 /// @return PDMC_OK, PDMC_ERR_ARG, PDMC_ERR_NOMEM or PDMC_ERR_EXTERN
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_statistics_control(size_t n, const double x[], size_t controls,
-                                                            const double c[], const double mean[], double confidence,
-                                                            pdmc_controlled *controlled);
+                                                            const double c[], const double mean[], double known_by,
+                                                            double confidence, pdmc_controlled *controlled);
+
+/// The probability of an event x from n samples, with a control event c that is also known of N samples, these the first:
+/// post-stratification, P = w p_1 + (1 - w) p_0, with p_k the share of x where c is k among the n, and w that of c among
+/// the N. It is the regression on c, for events.
+///
+/// The interval adds the distances of Clopper and Pearson's bounds of p_1, p_0 and w, weighed, in squares on either side
+/// (Zou & Donner, Statistics in Medicine 27 (2008) 1693-1702). Like theirs it holds at least as often as it says, for few
+/// events too, and where x and c have always agreed. Where all of the n have c, or none has, it is
+/// pdmc_statistics_proportion() of the n alone.
+/// @param[in] hits        [2] samples of the n with x, where c is not and where it is
+/// @param[in] trials      [2] samples of the n where c is not and where it is
+/// @param[in] known_hits  samples of the N with c
+/// @param[in] known_by    N >= n
+PDMC_API pdmc_estimate pdmc_statistics_stratified_proportion(const size_t hits[2], const size_t trials[2],
+                                                             size_t known_hits, size_t known_by, double confidence);

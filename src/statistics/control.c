@@ -92,8 +92,8 @@ static double lever(const decomposition *d, size_t k)
 }
 
 /// @param[in,out] residual  [n] x about its mean, in its deviations
-static pdmc_controlled controlled_mean(const decomposition *d, pdmc_estimate mean, double deviation, double confidence,
-                                       double residual[])
+static pdmc_controlled controlled_mean(const decomposition *d, pdmc_estimate mean, double deviation, double known_by,
+                                       double confidence, double residual[])
 {
     const double n = (double)d->n;
     double shift = 0.0, leverage = 1.0 / n, squares = 0.0;
@@ -103,17 +103,20 @@ static pdmc_controlled controlled_mean(const decomposition *d, pdmc_estimate mea
         leverage += arm * arm;
     }
     for (size_t i = 0; i < d->n; i++) squares += residual[i] * residual[i];
-    const double freedom = n - 1.0 - (double)d->rank, variance = squares / freedom * leverage;
+    const double explained = fmax(0.0, 1.0 - squares / (n - 1.0)), freedom = n - 1.0 - (double)d->rank;
+    const double variance = squares / freedom * leverage + explained / known_by;
     const double value = mean.value - deviation * shift;
     const double half_width = gsl_cdf_tdist_Qinv(0.5 * (1.0 - confidence), freedom) * deviation * sqrt(variance);
     return (pdmc_controlled){.mean = {value, value - half_width, value + half_width},
+                             .correlation = sqrt(explained),
                              .reduction = 1.0 / (n * variance),
                              .controls = d->rank};
 }
 
 pdmc_status pdmc_statistics_control(size_t n, const double x[], size_t controls, const double c[], const double mean[],
-                                    double confidence, pdmc_controlled *controlled)
+                                    double known_by, double confidence, pdmc_controlled *controlled)
 {
+    PDMC_REQUIRE(known_by >= (double)n, "means of %g samples, fewer than the %zu", known_by, n);
     PDMC_REQUIRE(n <= INT_MAX && n >= controls + 2, "%zu samples for %zu controls", n, controls);
     pdmc_status status = PDMC_OK;
     decomposition d = {0};
@@ -129,7 +132,7 @@ pdmc_status pdmc_statistics_control(size_t n, const double x[], size_t controls,
     standardise(c, mean, confidence, &d);
     PDMC_TRY(decompose(&d));
     for (size_t i = 0; i < n; i++) residual[i] = (x[i] - plain.value) / deviation.value;
-    *controlled = controlled_mean(&d, plain, deviation.value, confidence, residual);
+    *controlled = controlled_mean(&d, plain, deviation.value, known_by, confidence, residual);
 
 done:
     decomposition_clear(&d);

@@ -60,7 +60,7 @@ static void regression_by_gsl(void **state)
     const double want = gsl_vector_get(coefficient, 0), error = sqrt(covariance_data[0]);
 
     pdmc_controlled got;
-    CHECK_OK(pdmc_statistics_control(N, g, CONTROLS, c, t.control, 0.95, &got));
+    CHECK_OK(pdmc_statistics_control(N, g, CONTROLS, c, t.control, INFINITY, 0.95, &got));
     const double student = 1.9720790337760216; // 197 degrees of freedom, 0.975
     assert_int_equal(got.controls, 2);
     CHECK_NEAR(got.mean.value, want, 1e-13);
@@ -79,7 +79,7 @@ static void without_controls_it_is_the_mean(void **state)
     pdmc_estimate mean, deviation;
     pdmc_controlled got;
     pdmc_statistics_moments(N, g, 0.95, &mean, &deviation);
-    CHECK_OK(pdmc_statistics_control(N, g, 0, NULL, NULL, 0.95, &got));
+    CHECK_OK(pdmc_statistics_control(N, g, 0, NULL, NULL, INFINITY, 0.95, &got));
     CHECK_NEAR(got.mean.value, mean.value, 0.0);
     CHECK_NEAR(got.mean.upper, mean.upper, 16 * DBL_EPSILON);
     CHECK_NEAR(got.reduction, 1.0, N * DBL_EPSILON);
@@ -101,8 +101,8 @@ static void degenerate_controls_are_left_out(void **state)
     const double means[ALL] = {8.0,          t.control[0],  0.2,
                                t.control[1], -t.control[1], 3.0 * t.control[0] - 2.0 * t.control[1]};
     pdmc_controlled want, got;
-    CHECK_OK(pdmc_statistics_control(N, g, CONTROLS, c, t.control, 0.95, &want));
-    CHECK_OK(pdmc_statistics_control(N, g, ALL, more, means, 0.95, &got));
+    CHECK_OK(pdmc_statistics_control(N, g, CONTROLS, c, t.control, INFINITY, 0.95, &want));
+    CHECK_OK(pdmc_statistics_control(N, g, ALL, more, means, INFINITY, 0.95, &got));
     assert_int_equal(got.controls, 2);
     CHECK_NEAR(got.mean.value, want.mean.value, 1e-13);
     CHECK_NEAR(got.mean.upper, want.mean.upper, 1e-13);
@@ -119,14 +119,14 @@ static void a_linear_quantity_is_known(void **state)
     for (int e = -600; e <= 600; e += 600) {
         pdmc_controlled got;
         for (size_t i = 0; i < N; i++) g[i] = ldexp(1.0 + 2.0 * c[2 * i] - 3.0 * c[2 * i + 1], e);
-        CHECK_OK(pdmc_statistics_control(N, g, CONTROLS, c, t.control, 0.95, &got));
+        CHECK_OK(pdmc_statistics_control(N, g, CONTROLS, c, t.control, INFINITY, 0.95, &got));
         CHECK_NEAR(ldexp(got.mean.value, -e), 1.0 + 2.0 * t.control[0] - 3.0 * t.control[1], 1e-14);
         CHECK_NEAR(ldexp(got.mean.upper - got.mean.lower, -e), 0.0, 1e-14);
         assert_true(got.reduction > 1e20);
     }
     for (size_t i = 0; i < N; i++) g[i] = 0.1;
     pdmc_controlled got;
-    CHECK_OK(pdmc_statistics_control(N, g, CONTROLS, c, t.control, 0.95, &got));
+    CHECK_OK(pdmc_statistics_control(N, g, CONTROLS, c, t.control, INFINITY, 0.95, &got));
     CHECK_NEAR(got.mean.upper, 0.1, 0.0);
 }
 
@@ -141,7 +141,7 @@ static void intervals_cover_and_shrink_as_they_should(void **state)
         pdmc_controlled got;
         double plain = 0.0;
         draw_energy(r, N, g, c);
-        CHECK_OK(pdmc_statistics_control(N, g, CONTROLS, c, t.control, 0.95, &got));
+        CHECK_OK(pdmc_statistics_control(N, g, CONTROLS, c, t.control, INFINITY, 0.95, &got));
         for (size_t i = 0; i < N; i++) plain += g[i] / N;
         hits += got.mean.lower <= t.mean && t.mean <= got.mean.upper;
         squares += pow(got.mean.value - t.mean, 2);
@@ -156,6 +156,32 @@ static void intervals_cover_and_shrink_as_they_should(void **state)
     CHECK_NEAR(reduction * (1.0 - t.r_square), 1.0, 0.1);
 }
 
+/// Controls whose means are of five times the samples.
+static void means_of_more_samples_add_their_error(void **state)
+{
+    (void)state;
+    enum { REPETITIONS = 2000, MORE = 5 * N };
+    const truth t = energy_truth();
+    double g[MORE], c[CONTROLS * MORE], squares = 0.0, plain_squares = 0.0;
+    int hits = 0;
+    for (uint64_t r = 0; r < REPETITIONS; r++) {
+        pdmc_controlled got, exact;
+        double plain = 0.0, mean[CONTROLS] = {0.0};
+        draw_energy(r, MORE, g, c);
+        for (size_t i = 0; i < CONTROLS * MORE; i++) mean[i % CONTROLS] += c[i] / MORE;
+        CHECK_OK(pdmc_statistics_control(N, g, CONTROLS, c, mean, MORE, 0.95, &got));
+        CHECK_OK(pdmc_statistics_control(N, g, CONTROLS, c, t.control, INFINITY, 0.95, &exact));
+        for (size_t i = 0; i < N; i++) plain += g[i] / N;
+        hits += got.mean.lower <= t.mean && t.mean <= got.mean.upper;
+        squares += pow(got.mean.value - t.mean, 2);
+        plain_squares += pow(plain - t.mean, 2);
+        CHECK_NEAR(got.correlation, exact.correlation, 0.0);
+    }
+    CHECK_NEAR((double)hits / REPETITIONS, 0.95, repetition_error(0.95, REPETITIONS));
+    // each variance has an error of sqrt(2 / 2000), together 4.5 %
+    CHECK_NEAR(squares / plain_squares / (1.0 - t.r_square + t.r_square / 5.0), 1.0, 4 * 0.045);
+}
+
 static void failures_are_reported(void **state)
 {
     (void)state;
@@ -163,9 +189,10 @@ static void failures_are_reported(void **state)
     const truth t = energy_truth();
     pdmc_controlled got;
     draw_energy(0, N, g, c);
-    CHECK_STATUS(pdmc_statistics_control(3, g, CONTROLS, c, t.control, 0.95, &got), PDMC_ERR_ARG);
-    CHECK_OK(pdmc_statistics_control(4, g, CONTROLS, c, t.control, 0.95, &got));
-    CHECK_FAILS_CLEANLY(pdmc_statistics_control(N, g, CONTROLS, c, t.control, 0.95, &got), (void)0);
+    CHECK_STATUS(pdmc_statistics_control(3, g, CONTROLS, c, t.control, INFINITY, 0.95, &got), PDMC_ERR_ARG);
+    CHECK_STATUS(pdmc_statistics_control(N, g, CONTROLS, c, t.control, N - 1.0, 0.95, &got), PDMC_ERR_ARG);
+    CHECK_OK(pdmc_statistics_control(4, g, CONTROLS, c, t.control, INFINITY, 0.95, &got));
+    CHECK_FAILS_CLEANLY(pdmc_statistics_control(N, g, CONTROLS, c, t.control, INFINITY, 0.95, &got), (void)0);
 }
 
 int main(void)
@@ -176,6 +203,7 @@ int main(void)
         cmocka_unit_test(degenerate_controls_are_left_out),
         cmocka_unit_test(a_linear_quantity_is_known),
         cmocka_unit_test(intervals_cover_and_shrink_as_they_should),
+        cmocka_unit_test(means_of_more_samples_add_their_error),
         cmocka_unit_test(failures_are_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
