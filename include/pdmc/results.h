@@ -11,8 +11,9 @@ typedef enum {
     PDMC_RUN_INTERRUPTED,
     PDMC_RUN_TARGET_MET, // complete, with the precision that was asked for
     PDMC_RUN_SAMPLE_CAP, // complete, but the most samples allowed did not reach it
+    PDMC_RUN_NOT_FINITE, // an explicit study stopped where a position would not have been finite
 } pdmc_run_status;
-enum { PDMC_RUN_STATUSES = 4 };
+enum { PDMC_RUN_STATUSES = 5 };
 PDMC_API extern const char *const pdmc_run_status_names[PDMC_RUN_STATUSES]; // "complete", "interrupted", ...
 
 /// Why a sample has no result. Failed samples are counted and listed, never dropped.
@@ -134,17 +135,67 @@ typedef struct {
     double *displacement;                          // [N, P, 2] length
 } pdmc_motion_record;
 
+/// An end of a crack, as an explicit study follows it.
+typedef struct {
+    char name[PDMC_LONG_NAME_SIZE]; // "<crack>.from" or "<crack>.to"
+    double position[2];             // at the start, length
+    double direction[2];            // of straight-ahead growth, a unit vector
+} pdmc_followed_tip;
+
+typedef struct {
+    char name[PDMC_LONG_NAME_SIZE];
+    double radius, mass; // infinite: it keeps its velocity
+} pdmc_sphere_record;
+
+typedef struct {
+    char name[PDMC_LONG_NAME_SIZE];
+} pdmc_body_record;
+
+/// The motion of an explicit study: N records, T tips, S spheres, n nodes, K snapshots. Without errors of the second order
+/// in the step, kinetic + elastic + fracture + contact = first + work.
+typedef struct {
+    int dimension;
+    double spacing, horizon, step, stable_step, steps, bonds; // bonds: pairs at the start, without cracks
+    double tip_damage, speed_window;
+    char *kernel; // that computed the forces
+
+    int record_count;                                                    // N
+    double *time, *kinetic, *elastic, *contact, *fracture, *work;        // [N]
+    double *momentum;                                                    // [N, 3] force time
+    double *mean_damage, *broken;                                        // [N] broken: bonds, as numbers of the file
+    double first;                                                        // kinetic energy at the start
+    int tip_count;                                                       // T
+    pdmc_followed_tip *tips;                                             // [T]
+    double *tip_advance;                                                 // [N, T] length, beyond where it was at the start
+    double *tip_speed;                                                   // [N, T] by central differences over the window
+    int sphere_count;                                                    // S
+    pdmc_sphere_record *spheres;                                         // [S]
+    double *sphere_centre, *sphere_velocity;                             // [N, S, 3]
+
+    int body_count;
+    pdmc_body_record *bodies; // [body_count]
+    int node_count;           // n
+    double *node_position;    // [n, 3] in the reference configuration
+    int *node_body;           // [n]
+    int snapshot_count;       // K
+    double *snapshot_time;    // [K]
+    int state_count;          // K n
+    double *displacement, *velocity; // [K n, 3]
+    double *damage;                  // [K n]
+} pdmc_explicit_record;
+
 typedef struct {
     double assembly, factorisation, operators, energy_rows, sampling, energy, statistics, output, total; // wall seconds
     double reliability; // of rare growth and sensitivities; NaN in files that do not hold it
-    double motion; // of a dynamic study: the weak form and the time steps
+    double motion; // of a dynamic study: the weak form and the time steps; of an explicit one the steps
     double peak_memory; // largest resident memory of the process until then, bytes; NaN in files that do not hold it
     int threads;
 } pdmc_runtime;
 
 typedef struct {
     // the study
-    pdmc_problem_kind kind; // a dynamic study has no tips, angles and samples; a static one has no motion
+    pdmc_problem_kind kind; // a dynamic study has no tips, angles and samples; a static one has no motion; an explicit one
+                            // has nothing but texts, runtime and its own record
     char *title, *length_unit, *force_unit, *time_unit, *input, *resolved;
     uint64_t seed;
     char *date_and_time; // ISO 8601, UTC
@@ -169,6 +220,7 @@ typedef struct {
     pdmc_displacement_field field;
 
     pdmc_motion_record motion; // of a dynamic study
+    pdmc_explicit_record particles; // of an explicit study
 
     // the samples
     int sample_count; // S
@@ -216,6 +268,9 @@ typedef enum {
     PDMC_UNIT_STUDY_TIME,       // time, in the study's unit
     PDMC_UNIT_WORK,             // force length
     PDMC_UNIT_BYTE,             // byte
+    PDMC_UNIT_VELOCITY,         // length / time
+    PDMC_UNIT_MASS,             // force time^2 / length
+    PDMC_UNIT_MOMENTUM,         // force time
 } pdmc_unit;
 enum { PDMC_UNIT_SIZE = 160 }; // enough for any unit of a study whose own units have at most 64 characters
 

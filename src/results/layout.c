@@ -4,6 +4,7 @@
 #include <string.h>
 
 #define MOTION "/motion/" // the group that only dynamic studies have
+#define EXPLICIT "/explicit/" // ... and that only explicit ones have
 #define PEAK_MEMORY "/runtime/peak_memory"
 #define REPLICATES "/statistics/replicates"
 #define GIVEN_REST "/samples/growth_given_rest"
@@ -62,6 +63,14 @@
 #define GROUP(path, kind, name, unit, text, width, ...)                                                                \
     {RELIABILITY "quantities/" path, text, PDMC_KIND_##kind, PDMC_UNIT_##unit, MEMBER(reliability.groups),             \
      sizeof(pdmc_reliability_group), offsetof(pdmc_reliability_group, name), width, {PDMC_DIM_GROUP, __VA_ARGS__}}
+#define RECORD(name, unit, text) REALS(EXPLICIT "records/" #name, particles.name, unit, text, PDMC_DIM_RECORD)
+#define OF_LIST(path, kind, list, type, name, unit, text, width, dimension, ...)                                       \
+    {EXPLICIT path, text, PDMC_KIND_##kind, PDMC_UNIT_##unit, MEMBER(particles.list), sizeof(type),                    \
+     offsetof(type, name), width, {dimension, __VA_ARGS__}}
+#define FOLLOWED(path, kind, name, unit, text, width, ...)                                                             \
+    OF_LIST("tips/" path, kind, tips, pdmc_followed_tip, name, unit, text, width, PDMC_DIM_FOLLOWED_TIP, __VA_ARGS__)
+#define SPHERE(path, kind, name, unit, text)                                                                           \
+    OF_LIST("spheres/" path, kind, spheres, pdmc_sphere_record, name, unit, text, 1, PDMC_DIM_SPHERE, PDMC_DIM_END)
 #define SECONDS(name, text) NUMBER("/runtime/" #name, REAL, runtime.name, TIME, "wall time of " text)
 
 // An axis is sized by the first dataset that has it, so each count comes with an array that holds little else.
@@ -122,6 +131,53 @@ const pdmc_dataset pdmc_datasets[] = {
     NUMBER(MOTION "seconds", REAL, runtime.motion, TIME, "wall time of the weak form and the time steps"),
     REALS(MOTION "displacement", motion.displacement, LENGTH, "displacement of the probes", PDMC_DIM_TIME,
           PDMC_DIM_PROBE, PDMC_DIM_COORDINATE),
+
+    NUMBER(EXPLICIT "dimension", INT, particles.dimension, NONE, "of space"),
+    NUMBER(EXPLICIT "spacing", REAL, particles.spacing, LENGTH, "spacing of the nodes"),
+    NUMBER(EXPLICIT "horizon", REAL, particles.horizon, LENGTH, "length of the longest bond"),
+    NUMBER(EXPLICIT "step", REAL, particles.step, STUDY_TIME, "step of time"),
+    NUMBER(EXPLICIT "stable_step", REAL, particles.stable_step, STUDY_TIME, "largest stable step of small strain"),
+    NUMBER(EXPLICIT "steps", REAL, particles.steps, NONE, "steps that were taken"),
+    NUMBER(EXPLICIT "bonds", REAL, particles.bonds, NONE, "bonds at the start, those that cracks cut included"),
+    NUMBER(EXPLICIT "tip_damage", REAL, particles.tip_damage, NONE, "damage of a node that a crack has reached"),
+    NUMBER(EXPLICIT "speed_window", REAL, particles.speed_window, STUDY_TIME, "over which speeds of tips are taken"),
+    NUMBER(EXPLICIT "seconds", REAL, runtime.motion, TIME, "wall time of the steps"),
+    RECORD(time, STUDY_TIME, "time"),
+    RECORD(kinetic, WORK, "kinetic energy"),
+    RECORD(elastic, WORK, "energy of the bonds that hold"),
+    RECORD(contact, WORK, "energy of contact"),
+    RECORD(fracture, WORK, "energy of the bonds that broke, at that moment"),
+    RECORD(work, WORK, "work of prescribed velocities, forces and spheres that keep their velocity"),
+    RECORD(mean_damage, NONE, "mean over the nodes of the share of bonds that are broken"),
+    RECORD(broken, NONE, "bonds that are broken, those that cracks cut included"),
+    REALS(EXPLICIT "records/momentum", particles.momentum, MOMENTUM, "momentum of all nodes", PDMC_DIM_RECORD,
+          PDMC_DIM_AXIS),
+    NUMBER(EXPLICIT "records/first_kinetic", REAL, particles.first, WORK, "kinetic energy at the start"),
+    FOLLOWED("name", NAME, name, NONE, "crack and end", 1, PDMC_DIM_END),
+    FOLLOWED("position", REAL, position, LENGTH, "where the crack ends at the start", 2, PDMC_DIM_COORDINATE),
+    FOLLOWED("direction", REAL, direction, NONE, "of straight-ahead growth", 2, PDMC_DIM_COORDINATE),
+    REALS(EXPLICIT "tips/advance", particles.tip_advance, LENGTH,
+          "how much farther the tip is, along its direction, than at the start", PDMC_DIM_RECORD, PDMC_DIM_FOLLOWED_TIP),
+    REALS(EXPLICIT "tips/speed", particles.tip_speed, VELOCITY, "by central differences over the window",
+          PDMC_DIM_RECORD, PDMC_DIM_FOLLOWED_TIP),
+    SPHERE("name", NAME, name, NONE, "rigid sphere"),
+    SPHERE("radius", REAL, radius, LENGTH, "radius"),
+    SPHERE("mass", REAL, mass, MASS, "mass, infinite where it keeps its velocity"),
+    REALS(EXPLICIT "spheres/centre", particles.sphere_centre, LENGTH, "centre", PDMC_DIM_RECORD, PDMC_DIM_SPHERE,
+          PDMC_DIM_AXIS),
+    REALS(EXPLICIT "spheres/velocity", particles.sphere_velocity, VELOCITY, "velocity", PDMC_DIM_RECORD,
+          PDMC_DIM_SPHERE, PDMC_DIM_AXIS),
+    OF_LIST("bodies/name", NAME, bodies, pdmc_body_record, name, NONE, "body", 1, PDMC_DIM_BODY, PDMC_DIM_END),
+    REALS(EXPLICIT "nodes/position", particles.node_position, LENGTH, "nodes in the reference configuration",
+          PDMC_DIM_PARTICLE, PDMC_DIM_AXIS),
+    ARRAY(EXPLICIT "nodes/body", INT, int, particles.node_body, NONE, "number of the body", PDMC_DIM_PARTICLE),
+    REALS(EXPLICIT "snapshots/time", particles.snapshot_time, STUDY_TIME, "time", PDMC_DIM_SNAPSHOT),
+    REALS(EXPLICIT "snapshots/damage", particles.damage, NONE,
+          "share of the node's bonds that are broken; snapshot by snapshot all nodes", PDMC_DIM_STATE),
+    REALS(EXPLICIT "snapshots/displacement", particles.displacement, LENGTH, "displacement, in the same order",
+          PDMC_DIM_STATE, PDMC_DIM_AXIS),
+    REALS(EXPLICIT "snapshots/velocity", particles.velocity, VELOCITY, "velocity, in the same order", PDMC_DIM_STATE,
+          PDMC_DIM_AXIS),
 
     REALS("/samples/load_factor", load_factor, NONE, "factor on the loads", PDMC_DIM_SAMPLE),
     REALS("/samples/micromodulus", micromodulus, NONE, "c(r) / c_0 in equal bins of [0, horizon]", PDMC_DIM_KEPT,
@@ -228,8 +284,10 @@ const size_t pdmc_dataset_count = COUNT(pdmc_datasets);
 
 const char *const pdmc_run_status_names[] = {
     [PDMC_RUN_COMPLETE] = "complete", [PDMC_RUN_INTERRUPTED] = "interrupted",
-    [PDMC_RUN_TARGET_MET] = "target_met", [PDMC_RUN_SAMPLE_CAP] = "sample_cap"};
-static const char *const kind_names[] = {[PDMC_STATIC] = "static", [PDMC_DYNAMIC] = "dynamic"};
+    [PDMC_RUN_TARGET_MET] = "target_met", [PDMC_RUN_SAMPLE_CAP] = "sample_cap",
+    [PDMC_RUN_NOT_FINITE] = "not_finite"};
+static const char *const kind_names[] = {
+    [PDMC_STATIC] = "static", [PDMC_DYNAMIC] = "dynamic", [PDMC_EXPLICIT] = "explicit"};
 static const char *const bond_names[] = {[PDMC_BONDS_ALL] = "all", [PDMC_BONDS_TENSILE] = "tensile"};
 
 #define ATTRIBUTE(object, kind, name, member) {object, name, PDMC_ATTRIBUTE_##kind, MEMBER(member), NULL, 0}
@@ -252,6 +310,7 @@ const pdmc_attribute pdmc_attributes[] = {
     CHOICE("/", status, pdmc_run_status_names),
     CHOICE("/plate", measure, pdmc_measure_names),
     CHOICE("/plate", bonds, bond_names),
+    ATTRIBUTE(EXPLICIT, TEXT, "kernel", particles.kernel),
 };
 const size_t pdmc_attribute_count = COUNT(pdmc_attributes);
 _Static_assert(sizeof(pdmc_run_status) == sizeof(int) && sizeof(pdmc_measure) == sizeof(int) &&
@@ -280,6 +339,14 @@ static const struct {
     [PDMC_DIM_METHOD] = {"method", MEMBER(reliability.record_count), true, 0},
     [PDMC_DIM_GROUP] = {"random quantity", MEMBER(reliability.group_count), true, 0},
     [PDMC_DIM_VARIABLE] = {"normal variable", MEMBER(reliability.variable_count), true, 0},
+    [PDMC_DIM_RECORD] = {"record", MEMBER(particles.record_count), true, 0},
+    [PDMC_DIM_FOLLOWED_TIP] = {"tip", MEMBER(particles.tip_count), true, 0},
+    [PDMC_DIM_SPHERE] = {"sphere", MEMBER(particles.sphere_count), true, 0},
+    [PDMC_DIM_BODY] = {"body", MEMBER(particles.body_count), true, 0},
+    [PDMC_DIM_PARTICLE] = {"node", MEMBER(particles.node_count), true, 0},
+    [PDMC_DIM_SNAPSHOT] = {"snapshot", MEMBER(particles.snapshot_count), true, 0},
+    [PDMC_DIM_STATE] = {"node of a snapshot", MEMBER(particles.state_count), true, 0},
+    [PDMC_DIM_AXIS] = {"x, y, z", 0, false, PDMC_AXES},
     [PDMC_DIM_QUANTILE] = {"quantile level", 0, false, PDMC_QUANTILES},
     [PDMC_DIM_COORDINATE] = {"x, y", 0, false, 2},
     [PDMC_DIM_END_POINT] = {"from x, from y, to x, to y", 0, false, 4},
@@ -309,9 +376,22 @@ size_t pdmc_dimension_size(const pdmc_results *results, pdmc_dimension dimension
     return (size_t)count + (size_t)dimensions[dimension].more;
 }
 
+static bool is_in(const char *path, const char *group)
+{
+    return strncmp(path, group, strlen(group)) == 0;
+}
+
 bool pdmc_dataset_belongs(const pdmc_results *results, const pdmc_dataset *dataset)
 {
-    return results->kind == PDMC_DYNAMIC || strncmp(dataset->path, MOTION, strlen(MOTION)) != 0;
+    const bool is_explicit = is_in(dataset->path, EXPLICIT);
+    if (results->kind == PDMC_EXPLICIT) return is_explicit || is_in(dataset->path, "/runtime/");
+    return !is_explicit && (results->kind == PDMC_DYNAMIC || !is_in(dataset->path, MOTION));
+}
+
+bool pdmc_attribute_belongs(const pdmc_results *results, const pdmc_attribute *attribute)
+{
+    if (strcmp(attribute->object, "/") == 0) return true;
+    return is_in(attribute->object, EXPLICIT) == (results->kind == PDMC_EXPLICIT);
 }
 
 bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset)

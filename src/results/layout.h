@@ -26,8 +26,16 @@ typedef enum {
     PDMC_DIM_METHOD,
     PDMC_DIM_GROUP,
     PDMC_DIM_VARIABLE,
+    PDMC_DIM_RECORD,
+    PDMC_DIM_FOLLOWED_TIP,
+    PDMC_DIM_SPHERE,
+    PDMC_DIM_BODY,
+    PDMC_DIM_PARTICLE,
+    PDMC_DIM_SNAPSHOT,
+    PDMC_DIM_STATE,
     PDMC_DIM_QUANTILE,
     PDMC_DIM_COORDINATE,
+    PDMC_DIM_AXIS,
     PDMC_DIM_END_POINT,
     PDMC_DIM_MODE,
     PDMC_DIM_FACE,
@@ -79,8 +87,10 @@ int *pdmc_dimension_field(pdmc_results *results, pdmc_dimension dimension, int *
 /// Size of an axis.
 size_t pdmc_dimension_size(const pdmc_results *results, pdmc_dimension dimension);
 
-/// Whether the file of these results has the dataset: only a dynamic study has a motion.
+/// Whether the file of these results has the dataset, or the attribute: only a dynamic study has a motion, and an explicit
+/// one has nothing of a plate.
 bool pdmc_dataset_belongs(const pdmc_results *results, const pdmc_dataset *dataset);
+bool pdmc_attribute_belongs(const pdmc_results *results, const pdmc_attribute *attribute);
 
 /// Whether files of an earlier minor version are without this number, which is then NaN.
 bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset);

@@ -216,7 +216,9 @@ static pdmc_status read_everything(hid_t file, pdmc_results *results)
     pdmc_status status = PDMC_OK;
     bool known[PDMC_DIM_BOUND + 1] = {false};
     // The attributes first, since one of them is the kind of study, on which the datasets depend.
-    for (size_t i = 0; i < pdmc_attribute_count; i++) PDMC_TRY(read_attribute(file, results, &pdmc_attributes[i]));
+    for (size_t i = 0; i < pdmc_attribute_count; i++)
+        if (pdmc_attribute_belongs(results, &pdmc_attributes[i]))
+            PDMC_TRY(read_attribute(file, results, &pdmc_attributes[i]));
     for (size_t i = 0; i < pdmc_dataset_count; i++)
         if (pdmc_dataset_belongs(results, &pdmc_datasets[i]))
             PDMC_TRY(read_dataset(file, results, known, &pdmc_datasets[i]));

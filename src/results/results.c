@@ -47,7 +47,8 @@ void pdmc_results_unit(const pdmc_results *results, pdmc_unit unit, size_t size,
         [PDMC_UNIT_NONE] = "1",     [PDMC_UNIT_ANGLE] = "rad",    [PDMC_UNIT_TIME] = "s",
         [PDMC_UNIT_LENGTH] = "L",   [PDMC_UNIT_STRESS] = "F/L^2", [PDMC_UNIT_STRESS_INTENSITY] = "F/L^(3/2)",
         [PDMC_UNIT_ENERGY] = "F/L", [PDMC_UNIT_DENSITY] = "L/F",  [PDMC_UNIT_STUDY_TIME] = "T",
-        [PDMC_UNIT_WORK] = "F L",     [PDMC_UNIT_BYTE] = "byte",
+        [PDMC_UNIT_WORK] = "F L",     [PDMC_UNIT_BYTE] = "byte",   [PDMC_UNIT_VELOCITY] = "L/T",
+        [PDMC_UNIT_MASS] = "F T^2/L", [PDMC_UNIT_MOMENTUM] = "F T",
     };
     size_t used = 0;
     for (const char *p = patterns[unit]; *p; p++) {
@@ -123,6 +124,33 @@ static pdmc_status check_names(const pdmc_results *results, pdmc_status code)
     return PDMC_OK;
 }
 
+static bool has_no_end(const char name[PDMC_LONG_NAME_SIZE])
+{
+    return !memchr(name, '\0', PDMC_LONG_NAME_SIZE);
+}
+
+static pdmc_status check_particle_names(const pdmc_results *results, pdmc_status code)
+{
+    const pdmc_explicit_record *p = &results->particles;
+    int without = 0;
+    for (int i = 0; i < p->tip_count; i++) without += has_no_end(p->tips[i].name);
+    for (int i = 0; i < p->sphere_count; i++) without += has_no_end(p->spheres[i].name);
+    for (int i = 0; i < p->body_count; i++) without += has_no_end(p->bodies[i].name);
+    return without == 0 ? PDMC_OK : pdmc_raise(code, "%d names of tips, spheres or bodies have no end", without);
+}
+
+static pdmc_status check_states(const pdmc_results *results, pdmc_status code)
+{
+    const pdmc_explicit_record *p = &results->particles;
+    if ((int64_t)p->snapshot_count * p->node_count != p->state_count)
+        return pdmc_raise(code, "%d states of %d nodes are not %d snapshots", p->state_count, p->node_count,
+                          p->snapshot_count);
+    for (int i = 0; i < p->node_count; i++)
+        if (p->node_body[i] < 0 || p->node_body[i] >= p->body_count)
+            return pdmc_raise(code, "node %d is of body %d, of %d", i, p->node_body[i], p->body_count);
+    return PDMC_OK;
+}
+
 static pdmc_status check_faces(const pdmc_results *results, pdmc_status code)
 {
     for (int i = 0; i < results->motion.probe_count; i++)
@@ -134,7 +162,8 @@ static pdmc_status check_faces(const pdmc_results *results, pdmc_status code)
 pdmc_status pdmc_results_check(const pdmc_results *results, pdmc_status code)
 {
     pdmc_status (*const checks[])(const pdmc_results *, pdmc_status) = {check_counts,   check_arrays, check_choices,
-                                                                        check_failures, check_kept,   check_names, check_faces};
+                                                                        check_failures, check_kept,   check_names, check_faces,
+                                                                        check_particle_names, check_states};
     for (size_t i = 0; i < sizeof checks / sizeof checks[0]; i++) {
         const pdmc_status status = checks[i](results, code);
         if (status != PDMC_OK) return status;

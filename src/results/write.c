@@ -2,6 +2,7 @@
 #include "base/base_impl.h"
 #include "results/h5.h"
 #include "results/identity.h"
+#include "results/vtkhdf.h"
 #include "results/whole_file.h"
 
 #include <math.h>
@@ -153,8 +154,11 @@ static pdmc_status write_everything(hid_t file, const pdmc_results *results)
     const double start = pdmc_seconds();
     for (size_t i = 0; i < pdmc_dataset_count; i++)
         if (pdmc_dataset_belongs(results, &pdmc_datasets[i])) PDMC_TRY(write_dataset(file, results, &pdmc_datasets[i]));
-    for (size_t i = 0; i < pdmc_attribute_count; i++) PDMC_TRY(write_attribute(file, results, &pdmc_attributes[i]));
+    for (size_t i = 0; i < pdmc_attribute_count; i++)
+        if (pdmc_attribute_belongs(results, &pdmc_attributes[i]))
+            PDMC_TRY(write_attribute(file, results, &pdmc_attributes[i]));
     PDMC_TRY(pdmc_identity_write(file, results));
+    if (results->kind == PDMC_EXPLICIT) PDMC_TRY(pdmc_vtkhdf_write(file, &results->particles));
     if (isnan(results->runtime.output)) PDMC_TRY(write_output_time(file, pdmc_seconds() - start));
 
 done:

@@ -23,6 +23,9 @@ static pdmc_status check_unit(const pdmc_comparison *c, const char *what, const 
 pdmc_status pdmc_comparison_check(const pdmc_comparison *c)
 {
     const pdmc_results *a = c->results[0], *b = c->results[1];
+    for (int i = 0; i < PDMC_COMPARED; i++)
+        if (c->results[i]->kind == PDMC_EXPLICIT)
+            return pdmc_raise(PDMC_ERR_DATA, "%s is of an explicit study, which is not compared yet", c->labels[i]);
     if (a->kind != b->kind)
         return pdmc_raise(PDMC_ERR_DATA, "%s is of a %s study and %s of a %s one", c->labels[0], kind_name(a),
                           c->labels[1], kind_name(b));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/base_impl.h"
 #include "results/whole_file.h"
+#include "views/csv.h"
 #include "views/density.h"
 #include "views/views_impl.h"
 
@@ -16,45 +17,19 @@ typedef struct {
 
 typedef pdmc_status csv_writer(const pdmc_results *r, const csv_units *units, FILE *stream);
 
-/// A field that may hold commas or quotes.
-static void put_text(FILE *stream, const char *text)
-{
-    const bool quoted = strpbrk(text, ",\"\r\n") != NULL;
-    if (quoted) fputc('"', stream);
-    for (const char *c = text; *c; c++) {
-        if (*c == '"') fputc('"', stream);
-        fputc(*c, stream);
-    }
-    if (quoted) fputc('"', stream);
-}
-
-/// A column's name and its unit: "name[unit]".
-static void put_column(FILE *stream, const char *name, const char *unit)
-{
-    char column[PDMC_UNIT_SIZE + PDMC_NAME_SIZE + 48];
-    snprintf(column, sizeof column, "%s[%s]", name, unit);
-    fputc(',', stream);
-    put_text(stream, column);
-}
-
-static void put_number(FILE *stream, double x)
-{
-    fprintf(stream, ",%.17g", x);
-}
-
 static void put_estimate(FILE *stream, const pdmc_estimate *e)
 {
-    put_number(stream, e->value);
-    put_number(stream, e->lower);
-    put_number(stream, e->upper);
+    pdmc_csv_number(stream, e->value);
+    pdmc_csv_number(stream, e->lower);
+    pdmc_csv_number(stream, e->upper);
 }
 
 /// The fields that say whose line it is: tip, measure, angle.
 static void put_place(FILE *stream, const pdmc_results *r, int tip, int measure, int angle)
 {
-    put_text(stream, r->tips[tip].name);
+    pdmc_csv_text(stream, r->tips[tip].name);
     fprintf(stream, ",%s", pdmc_measure_names[measure]);
-    put_number(stream, r->angles[angle]);
+    pdmc_csv_number(stream, r->angles[angle]);
 }
 
 /// A row a bin, whose smooth density is that at its middle.
@@ -72,8 +47,8 @@ static pdmc_status write_pdf_at(const pdmc_results *r, int t, int m, int k, FILE
     PDMC_TRY(pdmc_view_density(r, (pdmc_measure)m, at, bins, middle, smooth));
     for (size_t b = 0; b < bins; b++) {
         put_place(stream, r, t, m, k);
-        put_number(stream, edges[b]);
-        put_number(stream, edges[b + 1]);
+        pdmc_csv_number(stream, edges[b]);
+        pdmc_csv_number(stream, edges[b + 1]);
         put_estimate(stream, &s->density[at * bins + b]);
         fprintf(stream, ",%lld", (long long)s->histogram_counts[at * (bins + 2) + b + 1]);
         put_estimate(stream, &smooth[b]);
@@ -90,15 +65,15 @@ static pdmc_status write_pdf(const pdmc_results *r, const csv_units *units, FILE
 {
     pdmc_status status = PDMC_OK;
     fputs("tip,measure,angle[rad]", stream);
-    put_column(stream, "bin_lower", units->energy);
-    put_column(stream, "bin_upper", units->energy);
-    put_column(stream, "density", units->density);
-    put_column(stream, "density_lower", units->density);
-    put_column(stream, "density_upper", units->density);
+    pdmc_csv_column(stream, "bin_lower", units->energy);
+    pdmc_csv_column(stream, "bin_upper", units->energy);
+    pdmc_csv_column(stream, "density", units->density);
+    pdmc_csv_column(stream, "density_lower", units->density);
+    pdmc_csv_column(stream, "density_upper", units->density);
     fputs(",count", stream);
-    put_column(stream, "smooth_density", units->density);
-    put_column(stream, "smooth_density_lower", units->density);
-    put_column(stream, "smooth_density_upper", units->density);
+    pdmc_csv_column(stream, "smooth_density", units->density);
+    pdmc_csv_column(stream, "smooth_density_lower", units->density);
+    pdmc_csv_column(stream, "smooth_density_upper", units->density);
     fputc('\n', stream);
     for (int t = 0; t < r->tip_count; t++)
         for (int m = 0; m < PDMC_MEASURES; m++)
@@ -133,9 +108,9 @@ static void write_statistics_at(const pdmc_results *r, int t, int m, int k, FILE
 static pdmc_status write_quantiles(const pdmc_results *r, const csv_units *units, FILE *stream)
 {
     fputs("tip,measure,angle[rad],statistic", stream);
-    put_column(stream, "value", units->energy);
-    put_column(stream, "lower", units->energy);
-    put_column(stream, "upper", units->energy);
+    pdmc_csv_column(stream, "value", units->energy);
+    pdmc_csv_column(stream, "lower", units->energy);
+    pdmc_csv_column(stream, "upper", units->energy);
     fputc('\n', stream);
     for (int t = 0; t < r->tip_count; t++)
         for (int m = 0; m < PDMC_MEASURES; m++)
@@ -171,7 +146,7 @@ static void write_samples_header(const pdmc_results *r, const csv_units *units, 
         for (size_t i = 0; i < sizeof columns / sizeof columns[0]; i++) {
             char column[sizeof r->tips[t].name + 32];
             snprintf(column, sizeof column, "%s%s", r->tips[t].name, columns[i].suffix);
-            put_column(stream, column, columns[i].unit);
+            pdmc_csv_column(stream, column, columns[i].unit);
         }
     fputc('\n', stream);
 }
@@ -188,14 +163,14 @@ static pdmc_status write_samples(const pdmc_results *r, const csv_units *units, 
     write_samples_header(r, units, stream);
     for (int s = 0; s < r->sample_count; s++) {
         fprintf(stream, "%d,%s", s, failures[r->failure[s]]);
-        put_number(stream, r->load_factor[s]);
-        put_number(stream, r->effective_modulus[s]);
-        put_number(stream, r->contraction[s]);
+        pdmc_csv_number(stream, r->load_factor[s]);
+        pdmc_csv_number(stream, r->effective_modulus[s]);
+        pdmc_csv_number(stream, r->contraction[s]);
         for (int t = 0; t < r->tip_count; t++) {
             const double *k = &r->stress_intensity[2 * ((size_t)s * (size_t)r->tip_count + (size_t)t)];
-            put_number(stream, k[0]);
-            put_number(stream, k[1]);
-            for (int m = 0; m < PDMC_MEASURES; m++) put_number(stream, r->largest_energy[m][(size_t)s * (size_t)r->tip_count + (size_t)t]);
+            pdmc_csv_number(stream, k[0]);
+            pdmc_csv_number(stream, k[1]);
+            for (int m = 0; m < PDMC_MEASURES; m++) pdmc_csv_number(stream, r->largest_energy[m][(size_t)s * (size_t)r->tip_count + (size_t)t]);
         }
         fputc('\n', stream);
     }
@@ -205,16 +180,16 @@ static pdmc_status write_samples(const pdmc_results *r, const csv_units *units, 
 static pdmc_status write_energy_samples(const pdmc_results *r, const csv_units *units, FILE *stream)
 {
     fputs("sample,tip,angle[rad]", stream);
-    for (int m = 0; m < PDMC_MEASURES; m++) put_column(stream, pdmc_measure_names[m], units->energy);
+    for (int m = 0; m < PDMC_MEASURES; m++) pdmc_csv_column(stream, pdmc_measure_names[m], units->energy);
     fputc('\n', stream);
     size_t at = 0;
     for (int s = 0; s < r->kept_count; s++)
         for (int t = 0; t < r->tip_count; t++)
             for (int k = 0; k < r->angle_count; k++, at++) {
                 fprintf(stream, "%d,", s);
-                put_text(stream, r->tips[t].name);
-                put_number(stream, r->angles[k]);
-                for (int m = 0; m < PDMC_MEASURES; m++) put_number(stream, r->energy[m][at]);
+                pdmc_csv_text(stream, r->tips[t].name);
+                pdmc_csv_number(stream, r->angles[k]);
+                for (int m = 0; m < PDMC_MEASURES; m++) pdmc_csv_number(stream, r->energy[m][at]);
                 fputc('\n', stream);
             }
     return PDMC_OK;
@@ -226,13 +201,13 @@ static pdmc_status write_faces(const pdmc_results *r, const csv_units *units, FI
     static const char *const columns[] = {"x", "y", "left_x", "left_y", "right_x", "right_y"};
     (void)units;
     fputs("crack", stream);
-    for (size_t i = 0; i < sizeof columns / sizeof columns[0]; i++) put_column(stream, columns[i], r->length_unit);
+    for (size_t i = 0; i < sizeof columns / sizeof columns[0]; i++) pdmc_csv_column(stream, columns[i], r->length_unit);
     fputc('\n', stream);
     const size_t points = (size_t)r->field.face_points;
     for (size_t at = 0; at < (size_t)r->crack_count * points; at++) {
         fprintf(stream, "%zu", at / points);
-        for (size_t k = 0; k < 2; k++) put_number(stream, r->field.face_position[2 * at + k]);
-        for (size_t k = 0; k < 4; k++) put_number(stream, r->field.face_displacement[4 * at + k]);
+        for (size_t k = 0; k < 2; k++) pdmc_csv_number(stream, r->field.face_position[2 * at + k]);
+        for (size_t k = 0; k < 4; k++) pdmc_csv_number(stream, r->field.face_displacement[4 * at + k]);
         fputc('\n', stream);
     }
     return PDMC_OK;
@@ -243,13 +218,13 @@ static void write_motion_header(const pdmc_results *r, const csv_units *units, F
     static const char *const energies[] = {"kinetic", "elastic", "dissipated", "work"};
     char column[sizeof r->motion.probes->name + PDMC_UNIT_SIZE];
     snprintf(column, sizeof column, "time[%s]", r->time_unit);
-    put_text(stream, column);
+    pdmc_csv_text(stream, column);
     fputs(",load_factor", stream);
-    for (size_t i = 0; i < sizeof energies / sizeof energies[0]; i++) put_column(stream, energies[i], units->work);
+    for (size_t i = 0; i < sizeof energies / sizeof energies[0]; i++) pdmc_csv_column(stream, energies[i], units->work);
     for (int p = 0; p < r->motion.probe_count; p++)
         for (int k = 0; k < 2; k++) {
             snprintf(column, sizeof column, "%s.%c", r->motion.probes[p].name, "xy"[k]);
-            put_column(stream, column, r->length_unit);
+            pdmc_csv_column(stream, column, r->length_unit);
         }
     fputc('\n', stream);
 }
@@ -260,16 +235,28 @@ static pdmc_status write_motion(const pdmc_results *r, const csv_units *units, F
     write_motion_header(r, units, stream);
     for (int i = 0; i < m->time_count; i++) {
         fprintf(stream, "%.17g", m->time[i]);
-        put_number(stream, m->load_factor[i]);
-        put_number(stream, m->kinetic[i]);
-        put_number(stream, m->elastic[i]);
-        put_number(stream, m->dissipated[i]);
-        put_number(stream, m->work[i]);
+        pdmc_csv_number(stream, m->load_factor[i]);
+        pdmc_csv_number(stream, m->kinetic[i]);
+        pdmc_csv_number(stream, m->elastic[i]);
+        pdmc_csv_number(stream, m->dissipated[i]);
+        pdmc_csv_number(stream, m->work[i]);
         for (int p = 0; p < m->probe_count; p++)
-            for (int k = 0; k < 2; k++) put_number(stream, pdmc_probe_displacement(m, i, p)[k]);
+            for (int k = 0; k < 2; k++) pdmc_csv_number(stream, pdmc_probe_displacement(m, i, p)[k]);
         fputc('\n', stream);
     }
     return PDMC_OK;
+}
+
+static pdmc_status write_records(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    (void)units;
+    return pdmc_csv_records(r, stream);
+}
+
+static pdmc_status write_nodes(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    (void)units;
+    return pdmc_csv_nodes(r, stream);
 }
 
 /// Writes through a stream of its own, since the descriptor belongs to the file.
@@ -315,23 +302,25 @@ static bool energies_are_few(const pdmc_results *r)
 typedef struct {
     const char *name;
     csv_writer *write;
-    bool of_motion; // of a dynamic study, and not of a static one
+    pdmc_problem_kind kind; // of the studies that have it
 } csv_file;
 
 static const csv_file files[] = {
-    {"pdf.csv", write_pdf, false},
-    {"quantiles.csv", write_quantiles, false},
-    {"direction.csv", write_direction, false},
-    {"samples.csv", write_samples, false},
-    {"energy_samples.csv", write_energy_samples, false},
-    {"faces.csv", write_faces, false},
-    {"motion.csv", write_motion, true},
+    {"pdf.csv", write_pdf, PDMC_STATIC},
+    {"quantiles.csv", write_quantiles, PDMC_STATIC},
+    {"direction.csv", write_direction, PDMC_STATIC},
+    {"samples.csv", write_samples, PDMC_STATIC},
+    {"energy_samples.csv", write_energy_samples, PDMC_STATIC},
+    {"faces.csv", write_faces, PDMC_STATIC},
+    {"motion.csv", write_motion, PDMC_DYNAMIC},
+    {"records.csv", write_records, PDMC_EXPLICIT},
+    {"nodes.csv", write_nodes, PDMC_EXPLICIT},
 };
 
 static bool is_wanted(const pdmc_results *r, const csv_file *file)
 {
     if (file->write == write_energy_samples && !energies_are_few(r)) return false;
-    return file->of_motion == (r->kind == PDMC_DYNAMIC);
+    return file->kind == r->kind;
 }
 
 pdmc_status pdmc_view_export(const pdmc_results *results, const char *folder)

@@ -177,29 +177,37 @@ static json_t *solver(const pdmc_solver_report *s)
     return object;
 }
 
+static void put_plate(const pdmc_results *r, json_t **object)
+{
+    pdmc_json_put(object, "samples", json_integer(r->sample_count));
+    pdmc_json_put(object, "kept", json_integer(r->kept_count));
+    pdmc_json_put(object, "failed", json_integer(r->failed_count));
+    pdmc_json_put(object, "seed", pdmc_json_seed(r->seed));
+    pdmc_json_put(object, "measure", pdmc_json_text(pdmc_measure_names[r->measure]));
+    pdmc_json_put(object, "bonds", pdmc_json_text(r->bonds == PDMC_BONDS_ALL ? "all" : "tensile"));
+    pdmc_json_put(object, "fracture_energy", pdmc_json_number(r->fracture_energy));
+    pdmc_json_put(object, "confidence", pdmc_json_number(r->confidence));
+    pdmc_json_put(object, "tips", tips(r));
+    if (r->kind == PDMC_DYNAMIC) pdmc_json_put(object, "motion", motion(r));
+    pdmc_json_put(object, "solver", solver(&r->solver));
+    if (r->reliability.group_count > 0) pdmc_json_put(object, "reliability", pdmc_json_reliability(&r->reliability));
+    if (r->kind == PDMC_STATIC) pdmc_json_put(object, "accuracy", accuracy(&r->accuracy));
+}
+
 static json_t *everything(const pdmc_results *r)
 {
+    static const char *const kinds[] = {
+        [PDMC_STATIC] = "static", [PDMC_DYNAMIC] = "dynamic", [PDMC_EXPLICIT] = "explicit"};
     json_t *object = json_object();
-    pdmc_json_put(&object, "kind", pdmc_json_text(r->kind == PDMC_DYNAMIC ? "dynamic" : "static"));
+    pdmc_json_put(&object, "kind", pdmc_json_text(kinds[r->kind]));
     pdmc_json_put(&object, "title", pdmc_json_text(r->title));
     pdmc_json_put(&object, "date_and_time", pdmc_json_text(r->date_and_time));
     pdmc_json_put(&object, "pdmc_version", pdmc_json_text(r->pdmc_version));
     pdmc_json_put(&object, "git_sha1", pdmc_json_text(r->git_sha1));
     pdmc_json_put(&object, "status", pdmc_json_text(pdmc_run_status_names[r->status]));
-    pdmc_json_put(&object, "samples", json_integer(r->sample_count));
-    pdmc_json_put(&object, "kept", json_integer(r->kept_count));
-    pdmc_json_put(&object, "failed", json_integer(r->failed_count));
-    pdmc_json_put(&object, "seed", pdmc_json_seed(r->seed));
-    pdmc_json_put(&object, "measure", pdmc_json_text(pdmc_measure_names[r->measure]));
-    pdmc_json_put(&object, "bonds", pdmc_json_text(r->bonds == PDMC_BONDS_ALL ? "all" : "tensile"));
-    pdmc_json_put(&object, "fracture_energy", pdmc_json_number(r->fracture_energy));
     pdmc_json_put(&object, "units", pdmc_json_units(r));
-    pdmc_json_put(&object, "confidence", pdmc_json_number(r->confidence));
-    pdmc_json_put(&object, "tips", tips(r));
-    if (r->kind == PDMC_DYNAMIC) pdmc_json_put(&object, "motion", motion(r));
-    pdmc_json_put(&object, "solver", solver(&r->solver));
-    if (r->reliability.group_count > 0) pdmc_json_put(&object, "reliability", pdmc_json_reliability(&r->reliability));
-    if (r->kind == PDMC_STATIC) pdmc_json_put(&object, "accuracy", accuracy(&r->accuracy));
+    if (r->kind == PDMC_EXPLICIT) pdmc_json_put(&object, "explicit", pdmc_json_explicit(&r->particles));
+    else put_plate(r, &object);
     pdmc_json_put(&object, "runtime", pdmc_json_runtime(&r->runtime));
     return object;
 }

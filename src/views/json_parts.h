@@ -30,6 +30,9 @@ json_t *pdmc_json_estimate(const pdmc_estimate *estimate);
 /// What was found of rare growth.
 json_t *pdmc_json_reliability(const pdmc_reliability_results *reliability);
 
+/// What an explicit study has recorded.
+json_t *pdmc_json_explicit(const pdmc_explicit_record *record);
+
 /// Seconds, threads and memory.
 json_t *pdmc_json_runtime(const pdmc_runtime *t);
 

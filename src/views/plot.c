@@ -10,10 +10,13 @@ typedef enum {
     OF_MICROMODULUS,
     OF_ENERGIES,
     OF_DISPLACEMENTS,
-    OF_PLATE
+    OF_PLATE,
+    OF_EXPLICIT_ENERGIES,
+    OF_EXPLICIT_TIPS,
+    OF_EXPLICIT_DAMAGE
 } subject;
 
-static pdmc_status draw(const pdmc_results *r, subject of, int tip, pdmc_measure measure, const pdmc_figure *figure)
+static pdmc_status draw(const pdmc_results *r, subject of, int tip, pdmc_measure measure, pdmc_figure *figure)
 {
     switch (of) {
     case OF_DENSITY: return pdmc_draw_density(r, tip, measure, figure);
@@ -23,6 +26,9 @@ static pdmc_status draw(const pdmc_results *r, subject of, int tip, pdmc_measure
     case OF_ENERGIES: pdmc_draw_motion_energies(r, figure); break;
     case OF_DISPLACEMENTS: pdmc_draw_motion_displacements(r, figure); break;
     case OF_PLATE: pdmc_draw_plate(r, figure); break;
+    case OF_EXPLICIT_ENERGIES: pdmc_draw_explicit_energies(r, figure); break;
+    case OF_EXPLICIT_TIPS: pdmc_draw_explicit_tips(r, figure); break;
+    case OF_EXPLICIT_DAMAGE: return pdmc_draw_explicit_damage(r, figure);
     }
     return PDMC_OK;
 }
@@ -78,18 +84,39 @@ done:
     return status;
 }
 
+static pdmc_status plot_plate(const pdmc_results *r, const char *folder)
+{
+    pdmc_status status = PDMC_OK;
+    if (r->angle_count > 0)
+        for (int t = 0; t < r->tip_count; t++) PDMC_TRY(plot_tip(r, folder, t));
+    if (r->bin_count > 0 && r->kept_count > 0)
+        PDMC_TRY(plot(r, folder, "micromodulus", OF_MICROMODULUS, 0, r->measure));
+    if (r->motion.time_count > 0) PDMC_TRY(plot_motion(r, folder));
+    PDMC_TRY(plot(r, folder, "plate", OF_PLATE, 0, r->measure));
+
+done:
+    return status;
+}
+
+static pdmc_status plot_explicit(const pdmc_results *r, const char *folder)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_explicit_record *p = &r->particles;
+    PDMC_TRY(plot(r, folder, "energies", OF_EXPLICIT_ENERGIES, 0, r->measure));
+    if (p->tip_count > 0) PDMC_TRY(plot(r, folder, "tips", OF_EXPLICIT_TIPS, 0, r->measure));
+    if (p->state_count > 0) PDMC_TRY(plot(r, folder, "damage", OF_EXPLICIT_DAMAGE, 0, r->measure));
+
+done:
+    return status;
+}
+
 pdmc_status pdmc_view_plot(const pdmc_results *results, const char *folder)
 {
     pdmc_status status = PDMC_OK;
     pdmc_locale locale;
     PDMC_TRY(pdmc_locale_plain(&locale));
     PDMC_TRY(pdmc_folder_make(folder));
-    if (results->angle_count > 0)
-        for (int t = 0; t < results->tip_count; t++) PDMC_TRY(plot_tip(results, folder, t));
-    if (results->bin_count > 0 && results->kept_count > 0)
-        PDMC_TRY(plot(results, folder, "micromodulus", OF_MICROMODULUS, 0, results->measure));
-    if (results->motion.time_count > 0) PDMC_TRY(plot_motion(results, folder));
-    PDMC_TRY(plot(results, folder, "plate", OF_PLATE, 0, results->measure));
+    PDMC_TRY((results->kind == PDMC_EXPLICIT ? plot_explicit : plot_plate)(results, folder));
 
 done:
     pdmc_locale_restore(&locale);

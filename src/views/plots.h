@@ -28,5 +28,13 @@ void pdmc_draw_motion_energies(const pdmc_results *r, const pdmc_figure *figure)
 /// The displacements of the probes over time.
 void pdmc_draw_motion_displacements(const pdmc_results *r, const pdmc_figure *figure);
 
+/// What came in and what it has become, growth of the tips, both over time, of an explicit study.
+void pdmc_draw_explicit_energies(const pdmc_results *r, const pdmc_figure *figure);
+void pdmc_draw_explicit_tips(const pdmc_results *r, const pdmc_figure *figure);
+
+/// The damage of the last snapshot, on the nodes as they lay: in the plane all of it; in space from above, and on a section
+/// through the middle.
+pdmc_status pdmc_draw_explicit_damage(const pdmc_results *r, pdmc_figure *figure);
+
 /// The plate, its cracks, and its displaced nodes and crack faces.
 void pdmc_draw_plate(const pdmc_results *r, const pdmc_figure *figure);

@@ -56,7 +56,9 @@ static void print_head(const pdmc_results *r, FILE *stream)
         fprintf(stream, "  INTERRUPTED: all samples were done, rare growth was not\n");
     else if (r->status == PDMC_RUN_INTERRUPTED)
         fprintf(stream, "  INTERRUPTED: these are the %s that were done until then\n",
-                r->kind == PDMC_DYNAMIC ? "steps" : "samples");
+                r->kind == PDMC_STATIC ? "samples" : "steps");
+    else if (r->status == PDMC_RUN_NOT_FINITE)
+        fprintf(stream, "  STOPPED: the next step had a position that is not finite; these are the steps before it\n");
     else if (r->status == PDMC_RUN_TARGET_MET) fprintf(stream, "  the precision that was asked for is reached\n");
     else if (r->status == PDMC_RUN_SAMPLE_CAP)
         fprintf(stream, "  STOPPED AT THE CAP: the most samples allowed do not give the precision that was asked for\n");
@@ -223,19 +225,31 @@ static void print_foot(const pdmc_results *r, FILE *stream)
     print_memory(t->peak_memory, stream);
 }
 
+static void print_plate(const pdmc_results *r, FILE *stream)
+{
+    (r->kind == PDMC_DYNAMIC ? pdmc_table_motion : print_sampling)(r, stream);
+    for (int t = 0; t < r->tip_count; t++) {
+        print_tip(r, &r->tips[t], stream);
+        print_energies(r, t, stream);
+    }
+    pdmc_table_reliability(r, stream);
+    print_foot(r, stream);
+}
+
+static void print_explicit(const pdmc_results *r, FILE *stream)
+{
+    pdmc_table_explicit(r, stream);
+    print_memory(r->runtime.peak_memory, stream);
+}
+
 pdmc_status pdmc_view_table(const pdmc_results *results, FILE *stream)
 {
     pdmc_locale locale;
     const pdmc_status status = pdmc_locale_plain(&locale);
     if (status != PDMC_OK) return status;
     print_head(results, stream);
-    (results->kind == PDMC_DYNAMIC ? pdmc_table_motion : print_sampling)(results, stream);
-    for (int t = 0; t < results->tip_count; t++) {
-        print_tip(results, &results->tips[t], stream);
-        print_energies(results, t, stream);
-    }
-    pdmc_table_reliability(results, stream);
-    print_foot(results, stream);
+    if (results->kind == PDMC_EXPLICIT) print_explicit(results, stream);
+    else print_plate(results, stream);
     pdmc_locale_restore(&locale);
     if (fflush(stream) != 0 || ferror(stream)) return pdmc_raise(PDMC_ERR_IO, "the table cannot be written");
     return PDMC_OK;

@@ -18,3 +18,6 @@ void pdmc_table_reliability(const pdmc_results *results, FILE *stream);
 
 /// What a dynamic study has: its last state, its probes, and the balance of its energy.
 void pdmc_table_motion(const pdmc_results *r, FILE *stream);
+
+/// What an explicit study has: its grid, energies at the end, tips, spheres.
+void pdmc_table_explicit(const pdmc_results *r, FILE *stream);

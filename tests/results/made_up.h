@@ -22,3 +22,7 @@ extern const made_up_size made_up_paper; // as large as the study of Evangelatos
 
 /// Free with pdmc_results_clear().
 pdmc_results made_up_results(made_up_size size);
+
+/// An explicit study of two bodies, 8 x 4 nodes in the plane or 8 x 4 x 3 in space, with two tips of which one grows at a
+/// constant speed, two spheres and three snapshots. Free with pdmc_results_clear().
+pdmc_results made_up_explicit(int dimension);

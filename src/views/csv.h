@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// What CSV files are made of.
+
+#include "pdmc/results.h"
+
+#include <stdio.h>
+
+/// A field that may hold commas or quotes.
+void pdmc_csv_text(FILE *stream, const char *text);
+
+/// A column's name and its unit behind a comma: ",name[unit]".
+void pdmc_csv_column(FILE *stream, const char *name, const char *unit);
+
+/// Numbers with 17 digits, each behind a comma.
+void pdmc_csv_number(FILE *stream, double x);
+void pdmc_csv_numbers(FILE *stream, int count, const double x[]);
+
+/// Of an explicit study: a row a record, and a row a node of the last snapshot.
+pdmc_status pdmc_csv_records(const pdmc_results *results, FILE *stream);
+pdmc_status pdmc_csv_nodes(const pdmc_results *results, FILE *stream);

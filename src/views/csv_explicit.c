@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/csv.h"
+
+#include "views/explicit.h"
+
+enum { COLUMN_SIZE = PDMC_LONG_NAME_SIZE + 16 };
+
+/// The columns "<name>.x[unit]", "<name>.y[unit]", "<name>.z[unit]".
+static void put_axes(FILE *stream, const char *name, const char *what, const char *unit)
+{
+    char column[COLUMN_SIZE];
+    for (int k = 0; k < PDMC_AXES; k++) {
+        snprintf(column, sizeof column, "%s%s.%c", name, what, "xyz"[k]);
+        pdmc_csv_column(stream, column, unit);
+    }
+}
+
+static void put_header(const pdmc_results *r, FILE *stream)
+{
+    static const char *const energies[] = {"kinetic", "elastic", "fracture", "contact", "work"};
+    const pdmc_explicit_record *p = &r->particles;
+    char unit[PDMC_UNIT_SIZE], velocity[PDMC_UNIT_SIZE], column[COLUMN_SIZE];
+    pdmc_results_unit(r, PDMC_UNIT_WORK, sizeof unit, unit);
+    fprintf(stream, "record");
+    pdmc_csv_column(stream, "time", r->time_unit);
+    for (size_t i = 0; i < sizeof energies / sizeof energies[0]; i++) pdmc_csv_column(stream, energies[i], unit);
+    pdmc_results_unit(r, PDMC_UNIT_MOMENTUM, sizeof unit, unit);
+    put_axes(stream, "momentum", "", unit);
+    fputs(",mean_damage,broken", stream);
+    pdmc_results_unit(r, PDMC_UNIT_VELOCITY, sizeof velocity, velocity);
+    for (int t = 0; t < p->tip_count; t++) {
+        snprintf(column, sizeof column, "%s.advance", p->tips[t].name);
+        pdmc_csv_column(stream, column, r->length_unit);
+        snprintf(column, sizeof column, "%s.speed", p->tips[t].name);
+        pdmc_csv_column(stream, column, velocity);
+    }
+    for (int s = 0; s < p->sphere_count; s++) {
+        put_axes(stream, p->spheres[s].name, ".centre", r->length_unit);
+        put_axes(stream, p->spheres[s].name, ".velocity", velocity);
+    }
+    fputc('\n', stream);
+}
+
+pdmc_status pdmc_csv_records(const pdmc_results *results, FILE *stream)
+{
+    const pdmc_explicit_record *p = &results->particles;
+    put_header(results, stream);
+    for (int i = 0; i < p->record_count; i++) {
+        const double numbers[] = {p->time[i], p->kinetic[i], p->elastic[i], p->fracture[i], p->contact[i], p->work[i]};
+        fprintf(stream, "%d", i);
+        pdmc_csv_numbers(stream, sizeof numbers / sizeof numbers[0], numbers);
+        pdmc_csv_numbers(stream, PDMC_AXES, &p->momentum[3 * i]);
+        pdmc_csv_number(stream, p->mean_damage[i]);
+        pdmc_csv_number(stream, p->broken[i]);
+        for (int t = 0; t < p->tip_count; t++) {
+            pdmc_csv_number(stream, pdmc_of_tip(p, p->tip_advance, i, t));
+            pdmc_csv_number(stream, pdmc_of_tip(p, p->tip_speed, i, t));
+        }
+        for (int s = 0; s < p->sphere_count; s++) {
+            pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_sphere(p, p->sphere_centre, i, s));
+            pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_sphere(p, p->sphere_velocity, i, s));
+        }
+        fputc('\n', stream);
+    }
+    return PDMC_OK;
+}
+
+pdmc_status pdmc_csv_nodes(const pdmc_results *results, FILE *stream)
+{
+    const pdmc_explicit_record *p = &results->particles;
+    const size_t first = pdmc_last_state(p);
+    char velocity[PDMC_UNIT_SIZE];
+    pdmc_results_unit(results, PDMC_UNIT_VELOCITY, sizeof velocity, velocity);
+    fprintf(stream, "body");
+    put_axes(stream, "position", "", results->length_unit);
+    put_axes(stream, "displacement", "", results->length_unit);
+    put_axes(stream, "velocity", "", velocity);
+    fputs(",damage\n", stream);
+    for (size_t i = 0; p->snapshot_count > 0 && i < (size_t)p->node_count; i++) {
+        pdmc_csv_text(stream, p->bodies[p->node_body[i]].name);
+        pdmc_csv_numbers(stream, PDMC_AXES, &p->node_position[3 * i]);
+        pdmc_csv_numbers(stream, PDMC_AXES, &p->displacement[3 * (first + i)]);
+        pdmc_csv_numbers(stream, PDMC_AXES, &p->velocity[3 * (first + i)]);
+        pdmc_csv_number(stream, p->damage[first + i]);
+        fputc('\n', stream);
+    }
+    return PDMC_OK;
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/explicit.h"
+
+#include <math.h>
+
+double pdmc_of_tip(const pdmc_explicit_record *record, const double values[], int at, int tip)
+{
+    return values[(size_t)at * (size_t)record->tip_count + (size_t)tip];
+}
+
+const double *pdmc_of_sphere(const pdmc_explicit_record *record, const double values[], int at, int sphere)
+{
+    return &values[3 * ((size_t)at * (size_t)record->sphere_count + (size_t)sphere)];
+}
+
+pdmc_tip_growth pdmc_growth_of(const pdmc_explicit_record *r, int tip)
+{
+    pdmc_tip_growth g = {.begin = NAN, .end = NAN, .mean_speed = NAN, .most_speed = NAN};
+    if (r->record_count == 0) return g;
+    g.growth = pdmc_of_tip(r, r->tip_advance, r->record_count - 1, tip);
+    for (int i = r->record_count - 1; i >= 0; i--) { // backwards, so that the first that fits is kept
+        const double advance = pdmc_of_tip(r, r->tip_advance, i, tip);
+        if (advance > 0.0) g.begin = r->time[i];
+        if (advance >= g.growth && g.growth > 0.0) g.end = r->time[i];
+        g.most_speed = fmax(g.most_speed, pdmc_of_tip(r, r->tip_speed, i, tip));
+    }
+    if (g.end > g.begin) g.mean_speed = g.growth / (g.end - g.begin);
+    return g;
+}
+
+double pdmc_explicit_balance_error(const pdmc_explicit_record *r)
+{
+    double error = 0.0, largest = 0.0;
+    for (int i = 0; i < r->record_count; i++) {
+        const double become = r->kinetic[i] + r->elastic[i] + r->fracture[i] + r->contact[i];
+        error = fmax(error, fabs(r->first + r->work[i] - become));
+        largest = fmax(largest, become);
+    }
+    return largest > 0.0 ? error / largest : NAN;
+}
+
+size_t pdmc_last_state(const pdmc_explicit_record *record)
+{
+    return record->snapshot_count > 0 ? (size_t)(record->snapshot_count - 1) * (size_t)record->node_count : 0;
+}

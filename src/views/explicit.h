@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// What the views of an explicit study share: figures that are read off its records.
+
+#include "views/views_impl.h"
+
+/// How a tip has grown. Times are those of records.
+typedef struct {
+    double growth;                  // at the end
+    double begin, end;              // the first record with any growth, and the first with all of it; NaN without growth
+    double mean_speed, most_speed;  // growth over end - begin; NaN without either
+} pdmc_tip_growth;
+
+pdmc_tip_growth pdmc_growth_of(const pdmc_explicit_record *record, int tip);
+
+/// A tip's advance or speed, a sphere's centre or velocity, in an array [N, count] or [N, count, 3].
+double pdmc_of_tip(const pdmc_explicit_record *record, const double values[], int at, int tip);
+const double *pdmc_of_sphere(const pdmc_explicit_record *record, const double values[], int at, int sphere);
+
+/// The largest difference between what came in, first + work, and what it has become, over the largest of the latter; NaN
+/// without either.
+double pdmc_explicit_balance_error(const pdmc_explicit_record *record);
+
+/// The number of the first node of the last snapshot in the arrays of states.
+size_t pdmc_last_state(const pdmc_explicit_record *record);

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/explicit.h"
+#include "views/json_parts.h"
+
+static json_t *records(const pdmc_explicit_record *p)
+{
+    const struct {
+        const char *name;
+        const double *values;
+    } columns[] = {
+        {"time", p->time},         {"kinetic", p->kinetic}, {"elastic", p->elastic},         {"contact", p->contact},
+        {"fracture", p->fracture}, {"work", p->work},       {"mean_damage", p->mean_damage}, {"broken", p->broken},
+    };
+    json_t *object = json_object(), *momentum = json_array();
+    for (size_t i = 0; i < sizeof columns / sizeof columns[0]; i++)
+        pdmc_json_put(&object, columns[i].name, pdmc_json_numbers((size_t)p->record_count, columns[i].values));
+    for (int i = 0; i < p->record_count; i++)
+        pdmc_json_append(&momentum, pdmc_json_numbers(PDMC_AXES, &p->momentum[3 * i]));
+    pdmc_json_put(&object, "momentum", momentum);
+    return object;
+}
+
+static json_t *tip(const pdmc_explicit_record *p, int t)
+{
+    const pdmc_tip_growth g = pdmc_growth_of(p, t);
+    json_t *object = json_object(), *advance = json_array(), *speed = json_array();
+    pdmc_json_put(&object, "name", pdmc_json_text(p->tips[t].name));
+    pdmc_json_put(&object, "position", pdmc_json_numbers(2, p->tips[t].position));
+    pdmc_json_put(&object, "direction", pdmc_json_numbers(2, p->tips[t].direction));
+    pdmc_json_put(&object, "growth", pdmc_json_number(g.growth));
+    pdmc_json_put(&object, "begin", pdmc_json_number(g.begin));
+    pdmc_json_put(&object, "end", pdmc_json_number(g.end));
+    pdmc_json_put(&object, "mean_speed", pdmc_json_number(g.mean_speed));
+    pdmc_json_put(&object, "most_speed", pdmc_json_number(g.most_speed));
+    for (int i = 0; i < p->record_count; i++) {
+        pdmc_json_append(&advance, pdmc_json_number(pdmc_of_tip(p, p->tip_advance, i, t)));
+        pdmc_json_append(&speed, pdmc_json_number(pdmc_of_tip(p, p->tip_speed, i, t)));
+    }
+    pdmc_json_put(&object, "advance", advance);
+    pdmc_json_put(&object, "speed", speed);
+    return object;
+}
+
+static json_t *sphere(const pdmc_explicit_record *p, int s)
+{
+    json_t *object = json_object(), *centre = json_array(), *velocity = json_array();
+    pdmc_json_put(&object, "name", pdmc_json_text(p->spheres[s].name));
+    pdmc_json_put(&object, "radius", pdmc_json_number(p->spheres[s].radius));
+    pdmc_json_put(&object, "mass", pdmc_json_number(p->spheres[s].mass));
+    for (int i = 0; i < p->record_count; i++) {
+        pdmc_json_append(&centre, pdmc_json_numbers(PDMC_AXES, pdmc_of_sphere(p, p->sphere_centre, i, s)));
+        pdmc_json_append(&velocity, pdmc_json_numbers(PDMC_AXES, pdmc_of_sphere(p, p->sphere_velocity, i, s)));
+    }
+    pdmc_json_put(&object, "centre", centre);
+    pdmc_json_put(&object, "velocity", velocity);
+    return object;
+}
+
+static json_t *last(const pdmc_explicit_record *p)
+{
+    const int i = p->record_count - 1;
+    json_t *object = json_object();
+    if (i < 0) return object;
+    pdmc_json_put(&object, "time", pdmc_json_number(p->time[i]));
+    pdmc_json_put(&object, "mean_damage", pdmc_json_number(p->mean_damage[i]));
+    pdmc_json_put(&object, "broken", pdmc_json_number(p->broken[i]));
+    return object;
+}
+
+json_t *pdmc_json_explicit(const pdmc_explicit_record *p)
+{
+    json_t *object = json_object(), *tips = json_array(), *spheres = json_array();
+    pdmc_json_put(&object, "dimension", json_integer(p->dimension));
+    pdmc_json_put(&object, "nodes", json_integer(p->node_count));
+    pdmc_json_put(&object, "bonds", pdmc_json_number(p->bonds));
+    pdmc_json_put(&object, "spacing", pdmc_json_number(p->spacing));
+    pdmc_json_put(&object, "horizon", pdmc_json_number(p->horizon));
+    pdmc_json_put(&object, "step", pdmc_json_number(p->step));
+    pdmc_json_put(&object, "stable_step", pdmc_json_number(p->stable_step));
+    pdmc_json_put(&object, "steps", pdmc_json_number(p->steps));
+    pdmc_json_put(&object, "kernel", pdmc_json_text(p->kernel));
+    pdmc_json_put(&object, "first_kinetic", pdmc_json_number(p->first));
+    pdmc_json_put(&object, "balance_error", pdmc_json_number(pdmc_explicit_balance_error(p)));
+    pdmc_json_put(&object, "last", last(p));
+    for (int t = 0; t < p->tip_count; t++) pdmc_json_append(&tips, tip(p, t));
+    for (int s = 0; s < p->sphere_count; s++) pdmc_json_append(&spheres, sphere(p, s));
+    pdmc_json_put(&object, "tips", tips);
+    pdmc_json_put(&object, "spheres", spheres);
+    pdmc_json_put(&object, "records", records(p));
+    pdmc_json_put(&object, "snapshot_times", pdmc_json_numbers((size_t)p->snapshot_count, p->snapshot_time));
+    return object;
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/table.h"
+
+#include "views/explicit.h"
+
+static void print_grid(const pdmc_results *r, FILE *stream)
+{
+    const pdmc_explicit_record *p = &r->particles;
+    char n[3][PDMC_BRIEF_SIZE], length[PDMC_LINE_SIZE], time[PDMC_LINE_SIZE];
+    fprintf(stream, "  %d nodes and %.0f bonds in %s, spacing %s, horizon %s %.20s\n", p->node_count, p->bonds,
+            p->dimension == 2 ? "the plane" : "space", pdmc_brief(n[0], p->spacing), pdmc_brief(n[1], p->horizon),
+            pdmc_one_line(length, r->length_unit));
+    fprintf(stream, "  %.0f steps of %s %.20s, %.3g of the largest stable one; forces by %.12s\n", p->steps,
+            pdmc_brief(n[2], p->step), pdmc_one_line(time, r->time_unit), p->step / p->stable_step, p->kernel);
+}
+
+static void print_energies(const pdmc_results *r, int last, FILE *stream)
+{
+    const pdmc_explicit_record *p = &r->particles;
+    char unit[PDMC_UNIT_SIZE], n[6][PDMC_BRIEF_SIZE], text[2][PDMC_LINE_SIZE];
+    pdmc_results_unit(r, PDMC_UNIT_WORK, sizeof unit, unit);
+    fprintf(stream, "\nat %s %.20s\n", pdmc_brief(n[0], p->time[last]), pdmc_one_line(text[0], r->time_unit));
+    fprintf(stream, "  first %s + work %s = kinetic %s + elastic %s + fracture %s + contact %s %.20s\n",
+            pdmc_brief(n[0], p->first), pdmc_brief(n[1], p->work[last]), pdmc_brief(n[2], p->kinetic[last]),
+            pdmc_brief(n[3], p->elastic[last]), pdmc_brief(n[4], p->fracture[last]), pdmc_brief(n[5], p->contact[last]),
+            pdmc_one_line(text[1], unit));
+    fprintf(stream, "  the balance of energy is off by %s of the largest energy at most\n",
+            pdmc_brief(n[0], pdmc_explicit_balance_error(p)));
+    fprintf(stream, "  %.0f bonds are broken, the mean damage is %.6g\n", p->broken[last], p->mean_damage[last]);
+}
+
+static void print_tips(const pdmc_results *r, FILE *stream)
+{
+    const pdmc_explicit_record *p = &r->particles;
+    char n[7][PDMC_BRIEF_SIZE], length[PDMC_LINE_SIZE], time[PDMC_LINE_SIZE];
+    if (p->tip_count == 0) return;
+    fprintf(stream, "\ntips, in %.20s and %.20s; a tip is where the damage exceeds %.3g; speeds over %s\n",
+            pdmc_one_line(length, r->length_unit), pdmc_one_line(time, r->time_unit), p->tip_damage,
+            pdmc_brief(n[0], p->speed_window));
+    fprintf(stream, "  %-20s %10s %10s %10s %10s %10s %11s %10s\n", "", "x", "y", "growth", "begins", "ends",
+            "mean speed", "most");
+    for (int t = 0; t < p->tip_count; t++) {
+        const pdmc_tip_growth g = pdmc_growth_of(p, t);
+        fprintf(stream, "  %-20.20s %10s %10s %10s %10s %10s %11s %10s\n", pdmc_one_line(length, p->tips[t].name),
+                pdmc_brief(n[0], p->tips[t].position[0]), pdmc_brief(n[1], p->tips[t].position[1]),
+                pdmc_brief(n[2], g.growth), pdmc_brief(n[3], g.begin), pdmc_brief(n[4], g.end),
+                pdmc_brief(n[5], g.mean_speed), pdmc_brief(n[6], g.most_speed));
+    }
+}
+
+static void print_spheres(const pdmc_results *r, int last, FILE *stream)
+{
+    const pdmc_explicit_record *p = &r->particles;
+    char n[6][PDMC_BRIEF_SIZE], text[PDMC_LINE_SIZE];
+    if (p->sphere_count == 0) return;
+    fprintf(stream, "\nspheres %32s %32s\n", "centre", "velocity");
+    for (int s = 0; s < p->sphere_count; s++) {
+        const double *x = pdmc_of_sphere(p, p->sphere_centre, last, s);
+        const double *v = pdmc_of_sphere(p, p->sphere_velocity, last, s);
+        fprintf(stream, "  %-15.15s %10s %10s %10s %12s %10s %10s\n", pdmc_one_line(text, p->spheres[s].name),
+                pdmc_brief(n[0], x[0]), pdmc_brief(n[1], x[1]), pdmc_brief(n[2], x[2]), pdmc_brief(n[3], v[0]),
+                pdmc_brief(n[4], v[1]), pdmc_brief(n[5], v[2]));
+    }
+}
+
+void pdmc_table_explicit(const pdmc_results *r, FILE *stream)
+{
+    const pdmc_explicit_record *p = &r->particles;
+    const int last = p->record_count - 1;
+    print_grid(r, stream);
+    if (last >= 0) {
+        print_energies(r, last, stream);
+        print_tips(r, stream);
+        print_spheres(r, last, stream);
+    }
+    fprintf(stream, "\nkept     %d records, %d snapshots of all nodes\n", p->record_count, p->snapshot_count);
+    fprintf(stream, "seconds  steps %.2f, output %.2f\n", r->runtime.motion, r->runtime.output);
+}

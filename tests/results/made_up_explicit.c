@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/made_up.h"
+
+#include "base/base_impl.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { ACROSS = 8, UP = 4, DEEP = 3, RECORDS = 21, SNAPSHOTS = 3, TIPS = 2, SPHERES = 2, BODIES = 2 };
+
+static const double spacing = 0.5, interval = 0.1;
+
+#define NEW(pointer, count)                                                                                            \
+    do {                                                                                                               \
+        (pointer) = pdmc_calloc((size_t)(count), sizeof *(pointer));                                                   \
+        if (!(pointer)) abort();                                                                                       \
+    } while (0)
+
+static void make_texts(pdmc_results *r)
+{
+    r->title = pdmc_strdup("A made-up impact");
+    r->length_unit = pdmc_strdup("mm");
+    r->force_unit = pdmc_strdup("kN");
+    r->time_unit = pdmc_strdup("ms");
+    r->input = pdmc_strdup("kind = \"explicit\";\n");
+    r->resolved = pdmc_strdup("kind = \"explicit\"; # resolved\n");
+    r->date_and_time = pdmc_strdup("2024-05-17T09:30:00Z");
+    r->pdmc_version = pdmc_strdup("0.1.0");
+    r->git_sha1 = pdmc_strdup("0123456789abcdef0123456789abcdef01234567");
+    r->particles.kernel = pdmc_strdup("portable");
+    r->confidence = 0.95;
+    r->runtime = (pdmc_runtime){.motion = 1.25, .output = 0.05, .total = 1.5, .peak_memory = 8.1e7, .threads = 2};
+}
+
+// Half of the work is elastic, a quarter kinetic, and an eighth each is of fracture and contact.
+static void make_energies(pdmc_explicit_record *p)
+{
+    NEW(p->time, RECORDS);
+    NEW(p->kinetic, RECORDS);
+    NEW(p->elastic, RECORDS);
+    NEW(p->contact, RECORDS);
+    NEW(p->fracture, RECORDS);
+    NEW(p->work, RECORDS);
+    NEW(p->momentum, 3 * RECORDS);
+    NEW(p->mean_damage, RECORDS);
+    NEW(p->broken, RECORDS);
+    p->first = 2.0;
+    for (int i = 0; i < RECORDS; i++) {
+        const double t = p->time[i] = i * interval, all = p->first + t;
+        p->work[i] = t;
+        p->elastic[i] = 0.5 * all;
+        p->kinetic[i] = 0.25 * all;
+        p->contact[i] = p->fracture[i] = 0.125 * all;
+        p->momentum[3 * i + 1] = -t;
+        p->mean_damage[i] = 0.01 * i;
+        p->broken[i] = 10.0 * i;
+    }
+}
+
+// The second tip grows by 3 mm between the times 0.4 and 1.4.
+static void make_tips(pdmc_explicit_record *p)
+{
+    NEW(p->tips, TIPS);
+    NEW(p->tip_advance, TIPS * RECORDS);
+    NEW(p->tip_speed, TIPS * RECORDS);
+    for (int t = 0; t < TIPS; t++) {
+        snprintf(p->tips[t].name, sizeof p->tips[t].name, "centre.%s", t ? "to" : "from");
+        p->tips[t].position[0] = t ? 1.0 : -1.0;
+        p->tips[t].direction[0] = t ? 1.0 : -1.0;
+    }
+    for (int i = 0; i < RECORDS; i++) {
+        p->tip_advance[TIPS * i + 1] = 3.0 * fmin(1.0, fmax(0.0, 0.1 * (i - 4)));
+        p->tip_speed[TIPS * i + 1] = i > 4 && i < 14 ? 3.0 : 0.0;
+    }
+}
+
+static void make_spheres(pdmc_explicit_record *p)
+{
+    NEW(p->spheres, SPHERES);
+    NEW(p->sphere_centre, 3 * SPHERES * RECORDS);
+    NEW(p->sphere_velocity, 3 * SPHERES * RECORDS);
+    for (int s = 0; s < SPHERES; s++) {
+        snprintf(p->spheres[s].name, sizeof p->spheres[s].name, "sphere%d", s + 1);
+        p->spheres[s].radius = s + 1.0;
+        p->spheres[s].mass = s ? INFINITY : 4.16;
+    }
+    for (int i = 0; i < 3 * SPHERES * RECORDS; i++) {
+        p->sphere_centre[i] = 0.25 * i;
+        p->sphere_velocity[i] = -0.5 * i;
+    }
+}
+
+static void make_nodes(pdmc_explicit_record *p)
+{
+    const int layers = p->dimension == 3 ? DEEP : 1, n = ACROSS * UP * layers;
+    NEW(p->node_position, 3 * n);
+    NEW(p->node_body, n);
+    NEW(p->bodies, BODIES);
+    p->node_count = n;
+    for (int b = 0; b < BODIES; b++) snprintf(p->bodies[b].name, sizeof p->bodies[b].name, "body%d", b + 1);
+    for (int i = 0; i < n; i++) {
+        p->node_position[3 * i] = spacing * (i % ACROSS);
+        p->node_position[3 * i + 1] = spacing * (i / ACROSS % UP);
+        p->node_position[3 * i + 2] = spacing * (i / ACROSS / UP);
+        p->node_body[i] = i % ACROSS >= ACROSS / 2;
+    }
+}
+
+static void make_snapshots(pdmc_explicit_record *p)
+{
+    p->snapshot_count = SNAPSHOTS;
+    p->state_count = SNAPSHOTS * p->node_count;
+    NEW(p->snapshot_time, SNAPSHOTS);
+    NEW(p->displacement, 3 * p->state_count);
+    NEW(p->velocity, 3 * p->state_count);
+    NEW(p->damage, p->state_count);
+    for (int s = 0; s < SNAPSHOTS; s++) p->snapshot_time[s] = (s + 1) * interval * (RECORDS - 1) / SNAPSHOTS;
+    for (int i = 0; i < 3 * p->state_count; i++) {
+        p->displacement[i] = 1e-3 * i;
+        p->velocity[i] = 1.0 / (i + 1);
+    }
+    for (int i = 0; i < p->state_count; i++) p->damage[i] = (double)(i + 1) / p->state_count;
+}
+
+pdmc_results made_up_explicit(int dimension)
+{
+    pdmc_results r = {.kind = PDMC_EXPLICIT,
+                      .particles = {.dimension = dimension,
+                                    .spacing = spacing,
+                                    .horizon = 1.5,
+                                    .step = 0.01,
+                                    .stable_step = 0.0125,
+                                    .steps = 200,
+                                    .bonds = 321,
+                                    .tip_damage = 0.3,
+                                    .speed_window = 1.0,
+                                    .record_count = RECORDS,
+                                    .tip_count = TIPS,
+                                    .sphere_count = SPHERES,
+                                    .body_count = BODIES}};
+    make_texts(&r);
+    make_energies(&r.particles);
+    make_tips(&r.particles);
+    make_spheres(&r.particles);
+    make_nodes(&r.particles);
+    make_snapshots(&r.particles);
+    return r;
+}

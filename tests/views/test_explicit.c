@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// Views of an explicit study: the figures that are read off its records, and that all of it is shown.
+
+#include "pdmc/views.h"
+
+#include "check.h"
+#include "results/made_up.h"
+#include "results/scratch.h"
+#include "views/explicit.h"
+
+#include <jansson.h>
+
+static char *printed(pdmc_status (*view)(const pdmc_results *, FILE *), const pdmc_results *results)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    assert_non_null(stream);
+    CHECK_OK(view(results, stream));
+    fclose(stream);
+    return text;
+}
+
+static void expect_line(const char *text, const char *line)
+{
+    if (!strstr(text, line)) fail_msg("\"%s\" is not in\n%s", line, text);
+}
+
+// 3 mm in 1 ms, from the first record with growth at 0.5 to the first with all of it at 1.4.
+static void growth_is_read_off_the_records(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_explicit(2);
+    const pdmc_tip_growth none = pdmc_growth_of(&r.particles, 0), some = pdmc_growth_of(&r.particles, 1);
+    CHECK_NEAR(none.growth, 0.0, 0.0);
+    assert_true(isnan(none.begin) && isnan(none.end) && isnan(none.mean_speed));
+    CHECK_NEAR(some.growth, 3.0, 0.0);
+    CHECK_NEAR(some.begin, 0.5, 1e-15);
+    CHECK_NEAR(some.end, 1.4, 1e-15);
+    CHECK_NEAR(some.mean_speed, 3.0 / 0.9, 1e-14);
+    CHECK_NEAR(some.most_speed, 3.0, 0.0);
+    pdmc_results_clear(&r);
+}
+
+// The made-up energies balance but for rounding; 0.1 that is missing at the end is 0.1 of 4.
+static void the_balance_is_of_what_came_in(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_explicit(2);
+    CHECK_NEAR(pdmc_explicit_balance_error(&r.particles), 0.0, 1e-15);
+    r.particles.elastic[20] -= 0.1;
+    r.particles.contact[20] += 0.2;
+    CHECK_NEAR(pdmc_explicit_balance_error(&r.particles), 0.1 / 4.1, 1e-15);
+    pdmc_results_clear(&r);
+}
+
+static void the_table_has_tips_and_spheres(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_explicit(2);
+    r.status = PDMC_RUN_NOT_FINITE;
+    char *text = printed(pdmc_view_table, &r);
+    expect_line(text, "A made-up impact\n");
+    expect_line(text, "  STOPPED: the next step had a position that is not finite; these are the steps before it\n");
+    expect_line(text, "  32 nodes and 321 bonds in the plane, spacing 0.5, horizon 1.5 mm\n");
+    expect_line(text, "  200 steps of 0.01 ms, 0.8 of the largest stable one; forces by portable\n");
+    expect_line(text, "at 2 ms\n  first 2 + work 2 = kinetic 1 + elastic 2 + fracture 0.5 + contact 0.5 kN mm\n");
+    expect_line(text, "  200 bonds are broken, the mean damage is 0.2\n");
+    expect_line(text, "  centre.from                  -1          0          0          -          -           -");
+    expect_line(text, "  centre.to                     1          0          3        0.5        1.4       3.333          3\n");
+    expect_line(text, "  sphere2");
+    for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n")) assert_true(strlen(line) <= 100);
+    free(text);
+    pdmc_results_clear(&r);
+}
+
+static void the_json_has_all_records(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_explicit(3);
+    char *text = printed(pdmc_view_json, &r);
+    json_t *all = json_loads(text, 0, NULL);
+    const json_t *object = json_object_get(all, "explicit");
+    assert_string_equal(json_string_value(json_object_get(all, "kind")), "explicit");
+    assert_int_equal(json_integer_value(json_object_get(object, "nodes")), 96);
+    const json_t *tip = json_array_get(json_object_get(object, "tips"), 1);
+    CHECK_NEAR(json_number_value(json_object_get(tip, "growth")), 3.0, 0.0);
+    assert_int_equal(json_array_size(json_object_get(tip, "advance")), 21);
+    const json_t *sphere = json_array_get(json_object_get(object, "spheres"), 1);
+    assert_true(json_is_null(json_object_get(sphere, "mass"))); // infinite
+    CHECK_NEAR(json_number_value(json_array_get(json_array_get(json_object_get(sphere, "centre"), 20), 2)),
+               0.25 * (6 * 20 + 5), 0.0);
+    const json_t *records = json_object_get(object, "records");
+    CHECK_NEAR(json_number_value(json_array_get(json_object_get(records, "broken"), 20)), 200.0, 0.0);
+    json_decref(all);
+    free(text);
+    pdmc_results_clear(&r);
+}
+
+static int lines_of(const char *text)
+{
+    int lines = 0;
+    for (; *text; text++) lines += *text == '\n';
+    return lines;
+}
+
+static void the_csv_has_records_and_nodes(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_explicit(2);
+    size_t size;
+    CHECK_OK(pdmc_view_export(&r, scratch_path("csv")));
+    char *records = scratch_read(scratch_path("csv/records.csv"), &size);
+    char *nodes = scratch_read(scratch_path("csv/nodes.csv"), &size);
+    assert_non_null(records);
+    assert_non_null(nodes);
+    expect_line(records, "record,time[ms],kinetic[kN mm],elastic[kN mm],fracture[kN mm],contact[kN mm],work[kN mm],"
+                         "momentum.x[kN ms],momentum.y[kN ms],momentum.z[kN ms],mean_damage,broken,"
+                         "centre.from.advance[mm],centre.from.speed[mm/ms],");
+    expect_line(records, "\n20,2,1,2,0.5,0.5,2,0,-2,0,");
+    assert_int_equal(lines_of(records), 22);
+    expect_line(nodes, "body,position.x[mm],");
+    expect_line(nodes, "\nbody2,3.5,1.5,0,"); // the last node
+    expect_line(nodes, ",1\n");               // and its damage
+    assert_int_equal(lines_of(nodes), 33);
+    free(records);
+    free(nodes);
+    assert_int_equal(scratch_empty(scratch_path("csv")), 2);
+    scratch_empty(scratch);
+    pdmc_results_clear(&r);
+}
+
+static void every_picture_is_drawn(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"energies.png", "energies.svg", "tips.png", "tips.svg", "damage.png", "damage.svg"};
+    if (system("gnuplot --version >/dev/null 2>&1") != 0) skip();
+    for (int dimension = 2; dimension <= 3; dimension++) {
+        pdmc_results r = made_up_explicit(dimension);
+        CHECK_OK(pdmc_view_plot(&r, scratch_path("plots")));
+        for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+            size_t size = 0;
+            char path[64];
+            snprintf(path, sizeof path, "plots/%s", names[i]);
+            char *bytes = scratch_read(scratch_path(path), &size);
+            if (!bytes || size < 1000) fail_msg("%s is missing or empty", path);
+            free(bytes);
+        }
+        assert_int_equal(scratch_empty(scratch_path("plots")), 6);
+        scratch_empty(scratch);
+        pdmc_results_clear(&r);
+    }
+}
+
+static void it_is_not_compared(void **state)
+{
+    (void)state;
+    pdmc_results a = made_up_explicit(2), b = made_up_results(made_up_small);
+    pdmc_comparison *comparison;
+    const pdmc_comparison_request request = {.labels = {"a.h5", "b.h5"}};
+    CHECK_STATUS(pdmc_comparison_create(&a, &b, &request, &comparison), PDMC_ERR_DATA);
+    assert_string_equal(pdmc_last_error(), "a.h5 is of an explicit study, which is not compared yet");
+    pdmc_results_clear(&a);
+    pdmc_results_clear(&b);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(growth_is_read_off_the_records), cmocka_unit_test(the_balance_is_of_what_came_in),
+        cmocka_unit_test(the_table_has_tips_and_spheres), cmocka_unit_test(the_json_has_all_records),
+        cmocka_unit_test(the_csv_has_records_and_nodes),  cmocka_unit_test(every_picture_is_drawn),
+        cmocka_unit_test(it_is_not_compared),
+    };
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
+}
