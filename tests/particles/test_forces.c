@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particles/forces.h"
+
+#include "particles/bodies.h"
+
+/// A lattice with arrays of its own, moved at random, some of its bonds stretched beyond what they bear.
+typedef struct {
+    specimen s;
+    pdmc_lattice lattice;
+    pdmc_bond_law law;
+    pdmc_forces forces;
+    double *position[PDMC_AXES], *force[PDMC_AXES], *limit, *next_limit, *fracture, *elastic, *contact;
+    uint8_t *bonds; // as they were
+} setting;
+
+static double *zeros(size_t count)
+{
+    double *p = pdmc_calloc(count, sizeof *p);
+    assert_non_null(p);
+    return p;
+}
+
+static void set_up(setting *t, double strengthening, double amplitude)
+{
+    unsigned seed = 7;
+    make_box(&t->s, 3, (int[]){11, 9, 6});
+    t->s.options.volume_rule = PDMC_VOLUME_TAPERED;
+    t->s.options.contact_distance = 0.85;
+    CHECK_OK(pdmc_lattice_create(&t->s.options, &t->lattice));
+    const size_t cells = t->lattice.cells + PDMC_LANES, blocks = (size_t)t->lattice.block_count;
+    t->law = (pdmc_bond_law){2.0, 0.05, strengthening};
+    t->forces = (pdmc_forces){.lattice = &t->lattice, .laws = &t->law, .repulsion = 3.0};
+    for (int a = 0; a < PDMC_AXES; a++) {
+        t->forces.position[a] = t->position[a] = zeros(cells);
+        t->forces.force[a] = t->force[a] = zeros(cells);
+        memcpy(t->position[a], t->lattice.reference[a], cells * sizeof(double));
+        for (int k = 0; k < t->lattice.node_count; k++) t->position[a][t->lattice.nodes[k]] += amplitude * scatter(&seed);
+    }
+    t->forces.limit = t->limit = zeros(cells);
+    t->forces.next_limit = t->next_limit = zeros(cells);
+    for (size_t c = 0; c < cells; c++) t->limit[c] = 1.0 / (1.05 + (strengthening > 0.0 ? 0.02 * scatter(&seed) : 0.0));
+    t->forces.fracture = t->fracture = zeros(blocks);
+    t->forces.elastic = t->elastic = zeros(blocks);
+    t->forces.contact = t->contact = zeros(blocks);
+    t->bonds = malloc(t->lattice.bond_bytes);
+    memcpy(t->bonds, t->lattice.bonds, t->lattice.bond_bytes);
+}
+
+static void tear_down(setting *t)
+{
+    for (int a = 0; a < PDMC_AXES; a++) {
+        pdmc_free(t->position[a]);
+        pdmc_free(t->force[a]);
+    }
+    pdmc_free(t->limit);
+    pdmc_free(t->next_limit);
+    pdmc_free(t->fracture);
+    pdmc_free(t->elastic);
+    pdmc_free(t->contact);
+    free(t->bonds);
+    pdmc_lattice_clear(&t->lattice);
+}
+
+/// What a node should have: its bonds one after the other, as the equations are written.
+typedef struct {
+    double force[PDMC_AXES], least_stretch, fracture, elastic, contact;
+    int whole, touching;
+} expected;
+
+static double weight_of(double length)
+{
+    return fmin(1.0, 0.5 + 3.0 - length);
+}
+
+static expected node_by_definition(const setting *t, size_t i)
+{
+    const pdmc_lattice *g = &t->lattice;
+    expected e = {.least_stretch = INFINITY};
+    for (int k = 0; k < g->node_count; k++) {
+        const size_t j = g->nodes[k];
+        double apart[PDMC_AXES], square = 0.0, first = 0.0;
+        for (int a = 0; a < PDMC_AXES; a++) {
+            const double xi = g->reference[a][j] - g->reference[a][i];
+            apart[a] = t->position[a][j] - t->position[a][i];
+            square += apart[a] * apart[a];
+            first += xi * xi;
+        }
+        const double length = sqrt(first), distance = sqrt(square);
+        if (i == j || length > 3.0) continue;
+        const double s = (distance - length) / length, depth = fmin(0.9 * length, 0.85) - distance;
+        const double energy = 0.25 * t->law.micromodulus * s * s * length * weight_of(length);
+        double pull = t->law.micromodulus * s * weight_of(length);
+        e.least_stretch = fmin(e.least_stretch, s);
+        const double s_0 = 1.0 / fmax(t->limit[i], t->limit[j]) - 1.0;
+        if (s > s_0) e.fracture += energy;
+        else e.whole++;
+        e.elastic += energy;
+        if (depth > 0.0) pull -= t->forces.repulsion * depth, e.contact += 0.25 * t->forces.repulsion * depth * depth, e.touching++;
+        for (int a = 0; a < PDMC_AXES; a++) e.force[a] += pull * apart[a] / distance;
+    }
+    return e;
+}
+
+static int touching_pairs, broken_bonds;
+
+static void check_block(const setting *t, int b, double rounding)
+{
+    const pdmc_block *block = &t->lattice.blocks[b];
+    int whole[PDMC_LANES];
+    double fracture = 0.0;
+    pdmc_lattice_whole(&t->lattice, block, whole);
+    for (int k = 0; k < PDMC_LANES; k++) {
+        if (!(block->nodes >> k & 1)) continue;
+        const size_t c = block->cell + (size_t)k;
+        const expected e = node_by_definition(t, c);
+        for (int a = 0; a < PDMC_AXES; a++) CHECK_NEAR(t->force[a][c], e.force[a], rounding);
+        assert_int_equal(whole[k], e.whole);
+        fracture += e.fracture;
+        touching_pairs += e.touching;
+        broken_bonds += t->lattice.family[c] - e.whole;
+        if (t->law.strengthening > 0.0)
+            CHECK_NEAR(t->next_limit[c], 1.0 / (1.05 - t->law.strengthening * e.least_stretch), rounding);
+    }
+    CHECK_NEAR(t->fracture[b], fracture, rounding);
+}
+
+static void check_kernel(pdmc_forces_kernel *kernel, double strengthening)
+{
+    setting t;
+    set_up(&t, strengthening, 0.15);
+    kernel(&t.forces, 0, t.lattice.block_count);
+    touching_pairs = broken_bonds = 0;
+    // About 100 bonds of 0.2 to 1 a node, each to a few roundings of 1e-16 and its stretch to one of 1e-16 of 1 / |xi|.
+    for (int b = 0; b < t.lattice.block_count; b++) check_block(&t, b, 1e-13);
+    assert_true(touching_pairs > 20 && broken_bonds > 1000); // or nothing would be tested
+    tear_down(&t);
+}
+
+static void check_energies(pdmc_forces_kernel *kernel)
+{
+    setting t;
+    set_up(&t, 0.0, 0.15);
+    t.law.critical_stretch = INFINITY;
+    t.forces.energies = true;
+    memset(t.limit, 0, (t.lattice.cells + PDMC_LANES) * sizeof *t.limit);
+    for (size_t c = 0; c < t.lattice.cells; c++) t.limit[c] = 1e-300;
+    kernel(&t.forces, 0, t.lattice.block_count);
+    for (int b = 0; b < t.lattice.block_count; b++) {
+        double elastic = 0.0, contact = 0.0;
+        for (unsigned left = t.lattice.blocks[b].nodes; left; left &= left - 1) {
+            const expected e = node_by_definition(&t, t.lattice.blocks[b].cell + (size_t)__builtin_ctz(left));
+            elastic += e.elastic, contact += e.contact;
+        }
+        CHECK_NEAR(t.elastic[b], elastic, 1e-13);
+        CHECK_NEAR(t.contact[b], contact, 1e-13);
+    }
+    assert_memory_equal(t.bonds, t.lattice.bonds, t.lattice.bond_bytes);
+    tear_down(&t);
+}
+
+/// The sum of all forces, and of their moments, to rounding: both directions of a bond agree.
+static void check_balance(pdmc_forces_kernel *kernel)
+{
+    setting t;
+    set_up(&t, 0.25, 0.15);
+    kernel(&t.forces, 0, t.lattice.block_count);
+    double sum[PDMC_AXES] = {0}, moment[PDMC_AXES] = {0};
+    for (int k = 0; k < t.lattice.node_count; k++) {
+        const size_t c = t.lattice.nodes[k];
+        for (int a = 0; a < PDMC_AXES; a++) {
+            const int b = (a + 1) % 3, d = (a + 2) % 3;
+            sum[a] += t.force[a][c];
+            moment[a] += t.position[b][c] * t.force[d][c] - t.position[d][c] * t.force[b][c];
+        }
+    }
+    for (int a = 0; a < PDMC_AXES; a++) {
+        CHECK_NEAR(sum[a], 0.0, 1e-12);    // 600 nodes, forces up to 5
+        CHECK_NEAR(moment[a], 0.0, 1e-11); // lever arms up to 11
+    }
+    tear_down(&t);
+}
+
+static void check(pdmc_forces_kernel *kernel)
+{
+    check_kernel(kernel, 0.0);
+    check_kernel(kernel, 0.25);
+    check_energies(kernel);
+    check_balance(kernel);
+}
+
+static void portable(void **state)
+{
+    (void)state;
+    check(pdmc_forces_portable);
+}
+
+static void avx2(void **state)
+{
+    (void)state;
+#ifdef PDMC_HAVE_X86
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+        check(pdmc_forces_avx2);
+        return;
+    }
+#endif
+    skip();
+}
+
+static void avx512(void **state)
+{
+    (void)state;
+#ifdef PDMC_HAVE_X86
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
+        check(pdmc_forces_avx512);
+        return;
+    }
+#endif
+    skip();
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(portable), cmocka_unit_test(avx2), cmocka_unit_test(avx512)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
