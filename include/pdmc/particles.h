@@ -20,9 +20,10 @@ typedef struct {
     double strengthening;    // alpha: s_0 = s_00 - alpha s_min, s_min the least stretch of all bonds of a node (eq. 28)
 } pdmc_brittle_material;
 
-/// How much of a neighbour's volume counts where the horizon's edge may cut it: all if its node is inside; or a share that
-/// falls linearly from 1 at horizon - spacing / 2 to 1/2 at the horizon.
-typedef enum { PDMC_VOLUME_WHOLE, PDMC_VOLUME_TAPERED } pdmc_volume_rule;
+/// How much of a neighbour's volume counts where the horizon's edge may cut it: all if its node is inside; a share that falls
+/// linearly from 1 at horizon - spacing / 2 to 0 at horizon + spacing / 2 (the only one of the three whose sums come to the
+/// integrals as the spacing falls); or that share, but nothing beyond the horizon, as others do it.
+typedef enum { PDMC_VOLUME_WHOLE, PDMC_VOLUME_PARTIAL, PDMC_VOLUME_TAPERED } pdmc_volume_rule;
 
 typedef enum { PDMC_SHAPE_BOX, PDMC_SHAPE_CYLINDER, PDMC_SHAPE_BALL } pdmc_shape_kind;
 

@@ -8,16 +8,16 @@
 
 static const double skin = 0.65; // of the spacing: about half of the usual distance, where the search costs least
 
-/// The shortest length of a grid's step that is longer than the horizon.
-static double shortest_beyond(const pdmc_lattice *g, double horizon)
+/// The shortest of the grid's steps that are longer than a length.
+static double shortest_beyond(const pdmc_lattice *g, double length)
 {
-    const int reach = (int)floor(horizon / g->spacing) + 1;
+    const int reach = (int)floor(length / g->spacing) + 1;
     int least = reach * reach;
     for (int z = 0; z <= (g->dimension < 3 ? 0 : reach); z++)
         for (int y = 0; y <= reach; y++)
             for (int x = 0; x <= reach; x++) {
                 const int square = x * x + y * y + z * z;
-                if (g->spacing * sqrt(square) > horizon && square < least) least = square;
+                if (g->spacing * sqrt(square) > length && square < least) least = square;
             }
     return g->spacing * sqrt(least);
 }
@@ -26,10 +26,10 @@ pdmc_status pdmc_contact_create(const pdmc_particles_options *options, const pdm
                                 pdmc_contact *contact)
 {
     pdmc_status status = PDMC_OK;
-    const double horizon = options->horizon + 1e-9 * g->spacing;
-    *contact = (pdmc_contact){.repulsion = repulsion, .horizon = horizon, .skin = skin * g->spacing};
+    const double reach = pdmc_lattice_reach(options);
+    *contact = (pdmc_contact){.repulsion = repulsion, .reach = reach, .skin = skin * g->spacing};
     if (options->contact_distance == 0.0) return PDMC_OK;
-    contact->apart = shortest_beyond(g, horizon);
+    contact->apart = shortest_beyond(g, reach);
     contact->distance = fmin(options->contact_distance * g->spacing, 0.9 * contact->apart);
     PDMC_NEW(contact->node, g->node_count);
     PDMC_NEW(contact->partners, g->node_count);
@@ -127,7 +127,7 @@ static bool are_neighbours(const pdmc_contact *contact, const pdmc_lattice *g, i
         const double step = g->reference[a][g->nodes[i]] - g->reference[a][g->nodes[j]];
         square += step * step;
     }
-    return square <= contact->horizon * contact->horizon;
+    return square <= contact->reach * contact->reach;
 }
 
 /// The partners of a node, in the order of the bins. @param[out] partner  NULL: they are counted only

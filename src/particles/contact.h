@@ -11,7 +11,7 @@ typedef struct {
     double distance;  // below which nodes repel each other, length; 0: never
     double skin;      // length
     double repulsion; // force / length^4
-    double horizon;   // within which nodes are neighbours
+    double reach;     // within which nodes are neighbours
     double apart;     // the least distance of nodes that are not, in the reference configuration
     double *built[PDMC_AXES], *moved[PDMC_AXES]; // [nodes] positions for which the pairs were found, and displacements
     pdmc_bins bins;

@@ -67,18 +67,26 @@ static double counted_share(pdmc_volume_rule rule, double length, double horizon
     return fmin(1.0, 0.5 + (horizon - length) / spacing);
 }
 
+double pdmc_lattice_reach(const pdmc_particles_options *options)
+{
+    const double h = options->spacing;
+    return options->volume_rule == PDMC_VOLUME_PARTIAL ? options->horizon + (0.5 - slack) * h
+                                                       : options->horizon + slack * h;
+}
+
 static pdmc_status find_neighbours(const pdmc_particles_options *options, pdmc_lattice *g)
 {
     pdmc_status status = PDMC_OK;
     const double h = g->spacing, horizon = options->horizon;
-    const int reach = (int)floor(horizon / h + slack), layers = g->dimension < 3 ? 0 : reach;
+    const double longest = pdmc_lattice_reach(options);
+    const int reach = (int)floor(longest / h), layers = g->dimension < 3 ? 0 : reach;
     const int width = 2 * reach + 1;
     PDMC_NEW(g->neighbours, width * width * (2 * layers + 1));
     for (int z = -layers; z <= layers; z++) {
         for (int y = -reach; y <= reach; y++) {
             for (int x = -reach; x <= reach; x++) {
                 const double length = h * sqrt((double)(x * x + y * y + z * z));
-                if (length == 0.0 || length > horizon + slack * h) continue;
+                if (length == 0.0 || length > longest) continue;
                 const double weight = g->volume * counted_share(options->volume_rule, length, horizon, h);
                 const double touching = fmin(0.9 * length, options->contact_distance * h);
                 g->neighbours[g->neighbour_count++] = (pdmc_neighbour){
@@ -246,7 +254,7 @@ pdmc_status pdmc_lattice_create(const pdmc_particles_options *options, pdmc_latt
     g->volume = h * h * (g->dimension < 3 ? options->thickness : h);
     memcpy(g->offset, options->offset, sizeof g->offset);
     PDMC_TRY(find_box(options, g));
-    lay_out(g, (int)floor(options->horizon / h + slack));
+    lay_out(g, (int)floor(pdmc_lattice_reach(options) / h));
     PDMC_NEW(g->body, g->cells + PDMC_LANES);
     for (int a = 0; a < PDMC_AXES; a++) PDMC_NEW(g->reference[a], g->cells + PDMC_LANES);
     PDMC_TRY(find_neighbours(options, g));

@@ -57,6 +57,10 @@ typedef struct {
 PDMC_NODISCARD pdmc_status pdmc_lattice_create(const pdmc_particles_options *options, pdmc_lattice *lattice);
 void pdmc_lattice_clear(pdmc_lattice *lattice);
 
+/// The largest distance of neighbours: the horizon, or what the volume rule adds to it; and a little, so that rounding does not
+/// matter.
+double pdmc_lattice_reach(const pdmc_particles_options *options);
+
 /// Whether a point of the reference configuration is in a region. @param[in] slack  a length that does not count
 bool pdmc_shape_holds(const pdmc_shape *shape, const double x[PDMC_AXES], double slack);
 

@@ -86,7 +86,7 @@ static void move(pdmc_particles *p, double step)
 /// No node moves by more than the horizon in a step, unless the step is far too large. NaN does not either.
 static bool is_lost(const pdmc_particles *p, double velocity)
 {
-    return !(fabs(velocity) * p->step <= p->contact.horizon);
+    return !(fabs(velocity) * p->step <= p->contact.reach);
 }
 
 /// @return whether no node is lost
@@ -112,7 +112,7 @@ static void accelerate_spheres(pdmc_particles *p, double step)
         pdmc_rigid_sphere *sphere = &p->spheres[s];
         for (int a = 0; a < PDMC_AXES; a++) {
             const double force = p->sphere_force[PDMC_AXES * s + a];
-            if (isinf(sphere->mass)) p->work -= force * sphere->velocity[a] * step;
+            if (isinf(sphere->mass)) p->last_work -= force * sphere->velocity[a] * step;
             else sphere->velocity[a] += step * force / sphere->mass;
         }
     }
@@ -156,9 +156,11 @@ static pdmc_status report_lost(pdmc_particles *p)
 static pdmc_status kick(pdmc_particles *p)
 {
     const double time = pdmc_particles_time(p);
+    p->last_work = 0.0;
     for (int k = 0; k < p->layer_count; k++)
-        p->work += pdmc_layer_act(&p->layers[k], time, p->step, p->lattice.volume, p->velocity, p->force);
+        p->last_work += pdmc_layer_act(&p->layers[k], time, p->step, p->lattice.volume, p->velocity, p->force);
     accelerate_spheres(p, p->step);
+    p->work += p->last_work;
     return accelerate(p, p->step) ? PDMC_OK : report_lost(p);
 }
 
@@ -168,8 +170,9 @@ pdmc_status pdmc_particles_start(pdmc_particles *p)
     if (status != PDMC_OK) return status;
     accelerate(p, -0.5 * p->step);
     accelerate_spheres(p, -0.5 * p->step);
-    p->work = 0.0;
-    return kick(p);
+    const pdmc_status kicked = kick(p);
+    p->work = 0.5 * p->last_work; // the other half was before the start
+    return kicked;
 }
 
 pdmc_status pdmc_particles_advance(pdmc_particles *p, int steps)

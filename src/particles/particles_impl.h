@@ -26,7 +26,8 @@ struct pdmc_particles {
     pdmc_rigid_sphere *spheres; // at the time, with their velocities half a step after it
     double *sphere_force;       // [spheres, 3] of the nodes
     double *sphere_energy;      // [spheres]
-    double stable_step, step, work, first;
+    double stable_step, step, first;
+    double work, last_work; // until half a step after the time; of the last whole step of it
     int steps;
 };
 

@@ -28,8 +28,16 @@ static inline void make_box(specimen *s, int dimension, const int count[])
         .critical_stretch = INFINITY,
     };
     s->options = (pdmc_particles_options){
-        .dimension = dimension, .spacing = 1.0, .thickness = 1.0, .horizon = horizon, .material_count = 1,
-        .materials = &s->material, .body_count = 1, .bodies = &s->body, .safety = 0.5, .threads = 1,
+        .dimension = dimension,
+        .spacing = 1.0,
+        .thickness = 1.0,
+        .horizon = horizon,
+        .material_count = 1,
+        .materials = &s->material,
+        .body_count = 1,
+        .bodies = &s->body,
+        .safety = 0.5,
+        .threads = 1,
     };
 }
 

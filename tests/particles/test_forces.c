@@ -34,7 +34,8 @@ static void set_up(setting *t, double strengthening, double amplitude)
         t->forces.position[a] = t->position[a] = zeros(cells);
         t->forces.force[a] = t->force[a] = zeros(cells);
         memcpy(t->position[a], t->lattice.reference[a], cells * sizeof(double));
-        for (int k = 0; k < t->lattice.node_count; k++) t->position[a][t->lattice.nodes[k]] += amplitude * scatter(&seed);
+        for (int k = 0; k < t->lattice.node_count; k++)
+            t->position[a][t->lattice.nodes[k]] += amplitude * scatter(&seed);
     }
     t->forces.limit = t->limit = zeros(cells);
     t->forces.next_limit = t->next_limit = zeros(cells);
@@ -95,7 +96,8 @@ static expected node_by_definition(const setting *t, size_t i)
         if (s > s_0) e.fracture += energy;
         else e.whole++;
         e.elastic += energy;
-        if (depth > 0.0) pull -= t->forces.repulsion * depth, e.contact += 0.25 * t->forces.repulsion * depth * depth, e.touching++;
+        if (depth > 0.0)
+            pull -= t->forces.repulsion * depth, e.contact += 0.25 * t->forces.repulsion * depth * depth, e.touching++;
         for (int a = 0; a < PDMC_AXES; a++) e.force[a] += pull * apart[a] / distance;
     }
     return e;

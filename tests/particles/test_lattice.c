@@ -47,7 +47,8 @@ static void bonds_are_those_within_the_horizon(void **state)
             double x[PDMC_AXES], y[PDMC_AXES];
             node_at(&g, g.nodes[i], x);
             node_at(&g, g.nodes[j], y);
-            const bool same = pdmc_shape_holds(&bodies[1].shape, x, 1e-9) == pdmc_shape_holds(&bodies[1].shape, y, 1e-9);
+            const bool same =
+                pdmc_shape_holds(&bodies[1].shape, x, 1e-9) == pdmc_shape_holds(&bodies[1].shape, y, 1e-9);
             const bool wanted = i != j && same && distance(x, y) <= 3.0;
             assert_int_equal(is_bonded(&g, g.nodes[i], g.nodes[j]), wanted);
             family += wanted;
@@ -88,7 +89,8 @@ static void cracks_cut_what_crosses_them(void **state)
     (void)state;
     specimen s;
     make_box(&s, 3, (int[]){10, 10, 4});
-    const pdmc_planar_crack disc = {.kind = PDMC_CRACK_DISC, .centre = {4.5, 4.5, 0.5}, .normal = {0, 0, 2}, .radius = 3.3};
+    const pdmc_planar_crack disc = {
+        .kind = PDMC_CRACK_DISC, .centre = {4.5, 4.5, 0.5}, .normal = {0, 0, 2}, .radius = 3.3};
     const pdmc_planar_crack square = {
         .kind = PDMC_CRACK_RECTANGLE, .centre = {4.5, 4.5, 0.5}, .side = {{2.2, 0, 0}, {0, 3.2, 0}}};
     pdmc_lattice g;
@@ -105,7 +107,8 @@ static void cracks_cut_what_crosses_them(void **state)
                 bool wanted = crosses_disc(x, y, 3.3);
                 if (kind == 1 && (x[2] < 0.5) != (y[2] < 0.5)) {
                     const double share = (0.5 - x[2]) / (y[2] - x[2]);
-                    wanted = fabs(x[0] + share * (y[0] - x[0]) - 4.5) <= 2.2 && fabs(x[1] + share * (y[1] - x[1]) - 4.5) <= 3.2;
+                    wanted = fabs(x[0] + share * (y[0] - x[0]) - 4.5) <= 2.2 &&
+                             fabs(x[1] + share * (y[1] - x[1]) - 4.5) <= 3.2;
                 }
                 assert_int_equal(is_bonded(&g, g.nodes[i], g.nodes[j]), !wanted);
                 cut += wanted;
@@ -145,8 +148,10 @@ static void no_memory(void **state)
     s.options.contact_distance = 0.9;
     s.options.contact_stiffness = 1.0;
     const double time[] = {0.0, 1.0}, factor[] = {0.0, 1.0};
-    const pdmc_layer_condition condition = {.region = {.kind = PDMC_SHAPE_BOX, .to = {7, 1, 0}}, .along = {false, true},
-                                            .value = {0, 1}, .history = {2, time, factor}};
+    const pdmc_layer_condition condition = {.region = {.kind = PDMC_SHAPE_BOX, .to = {7, 1, 0}},
+                                            .along = {false, true},
+                                            .value = {0, 1},
+                                            .history = {2, time, factor}};
     s.options.condition_count = 1;
     s.options.conditions = &condition;
     pdmc_particles *particles = NULL;
@@ -156,8 +161,11 @@ static void no_memory(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bonds_are_those_within_the_horizon), cmocka_unit_test(nodes_fill_the_region),
-        cmocka_unit_test(cracks_cut_what_crosses_them), cmocka_unit_test(refusals), cmocka_unit_test(no_memory),
+        cmocka_unit_test(bonds_are_those_within_the_horizon),
+        cmocka_unit_test(nodes_fill_the_region),
+        cmocka_unit_test(cracks_cut_what_crosses_them),
+        cmocka_unit_test(refusals),
+        cmocka_unit_test(no_memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
