@@ -146,7 +146,8 @@ static inline void bond_destroy(bond_grid *g)
 }
 
 // A row's sum over the bonds of one direction, for all its nodes at once.
-static inline void bond_add_row(int count, const double w[3], const double *u, const double *v, double *f, double *g)
+static inline void bond_add_row(int count, const double w[3], const double *restrict u, const double *restrict v,
+                                double *restrict f, double *restrict g)
 {
     for (int k = 0; k < count; k++) {
         f[k] -= w[0] * u[k] + w[1] * v[k];
