@@ -140,7 +140,7 @@ static void the_weights_add_to_minus_one(void **state)
         double mirrored[2] = {0.0, 0.0};
         make(which, &p);
         CHECK_OK(pdmc_kansa_create(&p.problem, NULL, 2, &kansa));
-        for (int tip = 0; tip < p.problem.energy.tip_count; tip++) {
+        for (int tip = 0; tip < p.problem.energy.tip_count; tip += which < 2 ? 1 : 3) {
             pdmc_field_functional release;
             double sum = 0.0, moment = 0.0;
             CHECK_OK(pdmc_kansa_release_sensitivity(kansa, tip, 0.25, &release));
