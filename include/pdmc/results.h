@@ -158,6 +158,7 @@ typedef struct {
     double spacing, horizon, step, stable_step, steps, bonds; // bonds: pairs at the start, without cracks
     double tip_damage, speed_window;
     char *kernel; // that computed the forces
+    char *stop;   // why it stopped, where the status is PDMC_RUN_NOT_FINITE; "" or NULL otherwise
 
     int record_count;                                                    // N
     double *time, *kinetic, *elastic, *contact, *fracture, *work;        // [N]

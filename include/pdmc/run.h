@@ -12,10 +12,16 @@ typedef struct {
     double bytes, seconds; // of memory and of wall time, within a factor of two or so
 } pdmc_cost;
 
+/// What an explicit study will cost: upper bounds of its nodes, bonds and steps, with memory and wall time from them.
+typedef struct {
+    double nodes, bonds, steps;
+    double bytes, seconds;
+} pdmc_explicit_cost;
+
 /// Discretises the problem and solves for the mean; then solves for every sample and summarises, or integrates the
-/// motion of a dynamic study and records it step by step.
+/// motion of a dynamic study and records it step by step; or moves the bodies of an explicit one.
 /// @param[out] results  free with pdmc_results_clear(); zero on failure
-/// `options->progress` counts samples, or the time steps of a dynamic study; it is called with 0 done as well, before
+/// `options->progress` counts samples, or the time steps of a dynamic or explicit study; it is called with 0 done as well, before
 /// and between what comes before them.
 /// @return PDMC_OK (also when stopped early, see pdmc_monte_carlo()), PDMC_ERR_INTERRUPTED when stopped before there is
 /// anything to save, or the failure of a step
@@ -24,3 +30,6 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_run(const pdmc_study *study, const pdmc
 
 /// Estimates what pdmc_run() would need, from counts of operations at a nominal rate a thread.
 PDMC_API pdmc_cost pdmc_run_cost(const pdmc_problem *problem, int threads);
+
+/// The same of an explicit study, without placing its nodes.
+PDMC_API pdmc_explicit_cost pdmc_run_explicit_cost(const pdmc_explicit *study, int threads);

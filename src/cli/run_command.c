@@ -7,6 +7,7 @@
 #include "pdmc/run.h"
 #include "pdmc/views.h"
 
+#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <sysexits.h>
@@ -16,8 +17,9 @@ static pdmc_status read_study(const arguments *given, pdmc_study *study)
 {
     pdmc_status status = pdmc_study_read(given->input, study);
     if (status != PDMC_OK) return status;
-    if (study->problem.kind == PDMC_DYNAMIC && (given->has_seed || given->samples > 0) && !given->quiet)
-        fprintf(stderr, "pdmc: warning: a dynamic study draws no samples, their number and seed change nothing\n");
+    if (study->problem.kind != PDMC_STATIC && (given->has_seed || given->samples > 0) && !given->quiet)
+        fprintf(stderr, "pdmc: warning: %s study draws no samples, their number and seed change nothing\n",
+                study->problem.kind == PDMC_DYNAMIC ? "a dynamic" : "an explicit");
     if (given->has_seed) study->problem.sampling.seed = given->seed;
     if (given->has_seed) status = pdmc_study_resolve(study);
     if (given->samples > 0 && status == PDMC_OK) status = pdmc_study_set_samples(study, given->samples);
@@ -46,15 +48,31 @@ static const char *counted(pdmc_problem_kind kind)
     return kind == PDMC_STATIC ? "samples" : "time steps";
 }
 
+// How many of them there are.
+static int count_done(const pdmc_results *results)
+{
+    switch (results->kind) {
+    case PDMC_STATIC: return results->sample_count;
+    case PDMC_DYNAMIC: return results->motion.time_count - 1;
+    case PDMC_EXPLICIT: break;
+    }
+    return (int)results->particles.steps;
+}
+
 static void tell_interruption(const pdmc_results *results, const char *path)
 {
-    const bool is_static = results->kind == PDMC_STATIC;
     if (results->reliability.group_count > 0)
         fprintf(stderr, "pdmc: interrupted: all %d samples are saved in %s, rare growth is not complete\n",
                 results->sample_count, path);
     else
-        fprintf(stderr, "pdmc: interrupted: the first %d %s are saved in %s\n",
-                is_static ? results->sample_count : results->motion.time_count - 1, counted(results->kind), path);
+        fprintf(stderr, "pdmc: interrupted: the first %d %s are saved in %s\n", count_done(results),
+                counted(results->kind), path);
+}
+
+static int tell_stop(const pdmc_results *results, const char *path)
+{
+    fprintf(stderr, "pdmc: %s; the steps until then are saved in %s\n", results->particles.stop, path);
+    return EX_DATAERR;
 }
 
 static int write_results(const arguments *given, const pdmc_results *results, const char *path)
@@ -63,18 +81,25 @@ static int write_results(const arguments *given, const pdmc_results *results, co
     if (status != PDMC_OK) return fail(status);
     if (!given->quiet) print_results(results, path);
     if (results->status == PDMC_RUN_SAMPLE_CAP) return EXIT_SAMPLE_CAP;
+    if (results->status == PDMC_RUN_NOT_FINITE) return tell_stop(results, path);
     if (results->status != PDMC_RUN_INTERRUPTED) return EX_OK;
     tell_interruption(results, path);
     return EX_TEMPFAIL;
 }
 
 // The system would let the run begin, and kill it when the memory is written to.
-static void warn_of_memory(const pdmc_cost *cost)
+static void warn_of_memory(double bytes)
 {
     const double machine = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
-    if (cost->bytes > machine)
-        fprintf(stderr, "pdmc: warning: the run needs about %.0f MB of memory, this machine has %.0f MB\n",
-                cost->bytes / 1e6, machine / 1e6);
+    if (bytes > machine)
+        fprintf(stderr, "pdmc: warning: the run needs about %.0f MB of memory, this machine has %.0f MB\n", bytes / 1e6,
+                machine / 1e6);
+}
+
+static double bytes_of(const pdmc_study *study, int threads)
+{
+    if (study->problem.kind == PDMC_EXPLICIT) return pdmc_run_explicit_cost(&study->motion, threads).bytes;
+    return pdmc_run_cost(&study->problem, threads).bytes;
 }
 
 static int run_study(const arguments *given, const pdmc_study *study, const char *path)
@@ -83,8 +108,7 @@ static int run_study(const arguments *given, const pdmc_study *study, const char
     pdmc_results results = {0};
     const pdmc_run_options options = {
         .threads = given->threads, .progress = progress_show, .round = progress_round, .context = &state};
-    const pdmc_cost cost = pdmc_run_cost(&study->problem, options.threads);
-    if (!given->quiet) warn_of_memory(&cost);
+    if (!given->quiet) warn_of_memory(bytes_of(study, options.threads));
     progress_start(given->quiet, counted(study->problem.kind), &state);
     const pdmc_status status = pdmc_run(study, &options, &results);
     progress_end(&state);
@@ -107,30 +131,54 @@ int run_command(const arguments *given)
     return code;
 }
 
-static void print_cost(const pdmc_cost *cost, int threads)
+static void print_seconds(double s)
 {
-    const double s = cost->seconds;
-    printf("# %d nodes, %d unknowns, %d rows; about %.0f MB and ", cost->nodes, cost->unknowns, cost->rows,
-           cost->bytes / 1e6);
     if (s < 9.95) printf("%.1f s", s);
     else if (s < 300.0) printf("%.0f s", s);
     else if (s < 3.0 * 3600.0) printf("%.0f min", s / 60.0);
     else printf("%.0f h", s / 3600.0);
+}
+
+static void print_cost_and_threads(double bytes, double seconds, int threads)
+{
+    printf("; about %.0f MB and ", bytes / 1e6);
+    print_seconds(seconds);
     printf(" on %d thread%s\n", threads, threads == 1 ? "" : "s");
+}
+
+static pdmc_status check_plate(const pdmc_study *study, int threads)
+{
+    const pdmc_status status = pdmc_problem_check_equilibrium(&study->problem);
+    if (status != PDMC_OK) return status;
+    const pdmc_cost cost = pdmc_run_cost(&study->problem, threads);
+    printf("%s\n# %d nodes, %d unknowns, %d rows", study->resolved, cost.nodes, cost.unknowns, cost.rows);
+    print_cost_and_threads(cost.bytes, cost.seconds, threads);
+    return PDMC_OK;
+}
+
+// What the engine would refuse is found by placing the nodes.
+static pdmc_status check_explicit(const pdmc_study *study, int threads)
+{
+    const pdmc_explicit_cost cost = pdmc_run_explicit_cost(&study->motion, threads);
+    pdmc_particles *particles = NULL;
+    const pdmc_status status = pdmc_explicit_particles(&study->motion, threads, &particles);
+    if (status != PDMC_OK) return status;
+    printf("%s\n# %d nodes, %.0f bonds, %.0f steps of %.4g, stable up to %.4g", study->resolved,
+           pdmc_particles_count(particles), (double)pdmc_particles_bonds(particles),
+           ceil(study->motion.duration / pdmc_particles_step_size(particles) * (1.0 - 1e-9)),
+           pdmc_particles_step_size(particles), pdmc_particles_stable_step(particles));
+    print_cost_and_threads(cost.bytes, cost.seconds, threads);
+    pdmc_particles_destroy(particles);
+    return PDMC_OK;
 }
 
 int check_command(const arguments *given)
 {
     pdmc_study study = {0};
     pdmc_status status = read_study(given, &study);
-    if (status == PDMC_OK && study.problem.kind != PDMC_EXPLICIT)
-        status = pdmc_problem_check_equilibrium(&study.problem);
-    if (status == PDMC_OK) {
-        const pdmc_cost cost = pdmc_run_cost(&study.problem, given->threads);
-        printf("%s\n", study.resolved);
-        print_cost(&cost, given->threads);
-        if (!given->quiet) warn_of_memory(&cost);
-    }
+    const bool is_explicit = study.problem.kind == PDMC_EXPLICIT;
+    if (status == PDMC_OK) status = (is_explicit ? check_explicit : check_plate)(&study, given->threads);
+    if (status == PDMC_OK && !given->quiet) warn_of_memory(bytes_of(&study, given->threads));
     pdmc_study_clear(&study);
     return status == PDMC_OK ? EX_OK : fail(status);
 }

@@ -26,18 +26,32 @@ static bool cross_plane(const double point[], const double normal[], const doubl
     return true;
 }
 
+// A bond that goes exactly through the edge of a crack is cut, whatever rounding says, so that a crack in the middle of a
+// body has two like tips.
+static const double with_rounding = 1.0 + 1e-9;
+
+static bool crosses_segment(const pdmc_planar_crack *crack, const double p[], const double q[])
+{
+    double from[2], to[2];
+    for (int a = 0; a < 2; a++) {
+        from[a] = crack->to[a] + with_rounding * (crack->from[a] - crack->to[a]);
+        to[a] = crack->from[a] + with_rounding * (crack->to[a] - crack->from[a]);
+    }
+    return pdmc_segments_cross(p, q, from, to);
+}
+
 static bool crosses(const pdmc_planar_crack *crack, const double p[], const double q[])
 {
     double at[PDMC_AXES], normal[PDMC_AXES];
     switch (crack->kind) {
-    case PDMC_CRACK_SEGMENT: return pdmc_segments_cross(p, q, crack->from, crack->to);
+    case PDMC_CRACK_SEGMENT: return crosses_segment(crack, p, q);
     case PDMC_CRACK_DISC:
-        return cross_plane(crack->centre, crack->normal, p, q, at) && dot(at, at) <= crack->radius * crack->radius;
+        return cross_plane(crack->centre, crack->normal, p, q, at) && dot(at, at) <= with_rounding * crack->radius * crack->radius;
     case PDMC_CRACK_RECTANGLE:
         cross(crack->side[0], crack->side[1], normal);
         if (!cross_plane(crack->centre, normal, p, q, at)) return false;
-        return fabs(dot(at, crack->side[0])) <= dot(crack->side[0], crack->side[0]) &&
-               fabs(dot(at, crack->side[1])) <= dot(crack->side[1], crack->side[1]);
+        return fabs(dot(at, crack->side[0])) <= with_rounding * dot(crack->side[0], crack->side[0]) &&
+               fabs(dot(at, crack->side[1])) <= with_rounding * dot(crack->side[1], crack->side[1]);
     }
     return false;
 }

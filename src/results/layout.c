@@ -311,6 +311,7 @@ const pdmc_attribute pdmc_attributes[] = {
     CHOICE("/plate", measure, pdmc_measure_names),
     CHOICE("/plate", bonds, bond_names),
     ATTRIBUTE(EXPLICIT, TEXT, "kernel", particles.kernel),
+    ATTRIBUTE(EXPLICIT, TEXT, "stop", particles.stop),
 };
 const size_t pdmc_attribute_count = COUNT(pdmc_attributes);
 _Static_assert(sizeof(pdmc_run_status) == sizeof(int) && sizeof(pdmc_measure) == sizeof(int) &&

@@ -4,6 +4,7 @@
 #include "base/base_impl.h"
 #include "pdmc/discretisation.h"
 #include "run/coarser.h"
+#include "run/explicit.h"
 #include "run/family.h"
 #include "run/motion.h"
 
@@ -160,15 +161,10 @@ static double peak_memory(void)
     return getrusage(RUSAGE_SELF, &usage) == 0 ? 1024.0 * (double)usage.ru_maxrss : NAN;
 }
 
-pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, pdmc_results *results)
+static pdmc_status run_plate(const pdmc_problem *problem, const pdmc_run_options *options, pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
-    const pdmc_problem *problem = &study->problem;
     pdmc_discretisation plate = {0};
-    const double start = pdmc_seconds();
-    *results = (pdmc_results){.accuracy = pdmc_no_accuracy};
-    if (problem->kind == PDMC_EXPLICIT) return pdmc_raise(PDMC_ERR_CONFIG, "explicit studies cannot be run yet");
-    PDMC_TRY(describe_study(study, results));
     PDMC_TRY(describe_geometry(problem, results));
     PDMC_TRY(ask(problem, options));
     PDMC_TRY(pdmc_discretise(problem, options->threads, &plate));
@@ -176,11 +172,24 @@ pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, p
     PDMC_TRY(describe_solution(problem, &plate, options->threads, results));
     PDMC_TRY(ask(problem, options));
     PDMC_TRY((problem->kind == PDMC_STATIC ? run_samples : pdmc_run_motion)(problem, &plate, options, results));
+done:
+    pdmc_discretisation_clear(&plate);
+    return status;
+}
+
+pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, pdmc_results *results)
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_problem *problem = &study->problem;
+    const double start = pdmc_seconds();
+    *results = (pdmc_results){.accuracy = pdmc_no_accuracy};
+    PDMC_TRY(describe_study(study, results));
+    if (problem->kind == PDMC_EXPLICIT) PDMC_TRY(pdmc_run_explicit(&study->motion, options, results));
+    else PDMC_TRY(run_plate(problem, options, results));
     results->runtime.total = pdmc_seconds() - start;
     results->runtime.output = NAN; // measured where the file is made
     results->runtime.peak_memory = peak_memory();
 done:
-    pdmc_discretisation_clear(&plate);
     if (status != PDMC_OK) pdmc_results_clear(results);
     return status;
 }

@@ -58,7 +58,7 @@ static void print_head(const pdmc_results *r, FILE *stream)
         fprintf(stream, "  INTERRUPTED: these are the %s that were done until then\n",
                 r->kind == PDMC_STATIC ? "samples" : "steps");
     else if (r->status == PDMC_RUN_NOT_FINITE)
-        fprintf(stream, "  STOPPED: the next step had a position that is not finite; these are the steps before it\n");
+        fprintf(stream, "  STOPPED, these are the steps until then: %s\n", pdmc_one_line(text[0], r->particles.stop));
     else if (r->status == PDMC_RUN_TARGET_MET) fprintf(stream, "  the precision that was asked for is reached\n");
     else if (r->status == PDMC_RUN_SAMPLE_CAP)
         fprintf(stream, "  STOPPED AT THE CAP: the most samples allowed do not give the precision that was asked for\n");

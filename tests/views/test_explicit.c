@@ -60,9 +60,10 @@ static void the_table_has_tips_and_spheres(void **state)
     (void)state;
     pdmc_results r = made_up_explicit(2);
     r.status = PDMC_RUN_NOT_FINITE;
+    r.particles.stop = pdmc_strdup("step 201");
     char *text = printed(pdmc_view_table, &r);
     expect_line(text, "A made-up impact\n");
-    expect_line(text, "  STOPPED: the next step had a position that is not finite; these are the steps before it\n");
+    expect_line(text, "  STOPPED, these are the steps until then: step 201\n");
     expect_line(text, "  32 nodes and 321 bonds in the plane, spacing 0.5, horizon 1.5 mm\n");
     expect_line(text, "  200 steps of 0.01 ms, 0.8 of the largest stable one; forces by portable\n");
     expect_line(text, "at 2 ms\n  first 2 + work 2 = kinetic 1 + elastic 2 + fracture 0.5 + contact 0.5 kN mm\n");

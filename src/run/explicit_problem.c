@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// From a problem of explicit dynamics to what the engine takes, and to what it will amount to.
+
+#include "pdmc/explicit.h"
+
+#include "base/base_impl.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <string.h>
+
+static double poissons_ratio(const pdmc_explicit *problem)
+{
+    return problem->dimension == 3 ? 0.25 : pdmc_poissons_ratio(problem->assumption);
+}
+
+static double micromodulus(const pdmc_explicit *p, const pdmc_explicit_material *m)
+{
+    if (m->has_micromodulus) return m->micromodulus;
+    const double youngs =
+        m->has_youngs_modulus ? m->youngs_modulus : 3.0 * m->bulk_modulus * (1.0 - 2.0 * poissons_ratio(p));
+    return pdmc_brittle_micromodulus(p->dimension, p->assumption, youngs, p->horizon, p->thickness);
+}
+
+static double critical_stretch(const pdmc_explicit *p, const pdmc_explicit_material *m)
+{
+    if (m->has_critical_stretch) return m->critical_stretch;
+    if (!m->has_fracture_energy) return INFINITY;
+    return pdmc_brittle_critical_stretch(p->dimension, m->fracture_energy, micromodulus(p, m), p->horizon,
+                                         p->thickness);
+}
+
+pdmc_brittle_material pdmc_explicit_law(const pdmc_explicit *problem, const pdmc_explicit_material *material)
+{
+    pdmc_brittle_material law = {
+        .density = material->density,
+        .micromodulus = micromodulus(problem, material),
+        .critical_stretch = critical_stretch(problem, material),
+        .strengthening = material->strengthening,
+    };
+    memcpy(law.name, material->name, sizeof law.name);
+    return law;
+}
+
+// Over the neighbours of a node inside a body: their number, and the sum of 1 / |xi|.
+static double sum_neighbours(const pdmc_explicit *p, double *inverse_lengths)
+{
+    const double h = p->spacing, edge = p->horizon * (1.0 + 1e-9);
+    const int reach = (int)(edge / h), depth = p->dimension == 3 ? reach : 0;
+    double count = 0.0;
+    *inverse_lengths = 0.0;
+    for (int k = -depth; k <= depth; k++)
+        for (int j = -reach; j <= reach; j++)
+            for (int i = -reach; i <= reach; i++) {
+                const double length = h * sqrt((double)(i * i + j * j + k * k));
+                if (length == 0.0 || length > edge) continue;
+                count += 1.0;
+                *inverse_lengths += 1.0 / length;
+            }
+    return count;
+}
+
+// As of eq. 46 inside the stiffest and lightest material.
+static double stable_step(const pdmc_explicit *p, double inverse_lengths)
+{
+    const double volume = p->dimension == 3 ? gsl_pow_3(p->spacing) : gsl_pow_2(p->spacing) * p->thickness;
+    double step = INFINITY;
+    for (int i = 0; i < p->material_count; i++)
+        step = fmin(step, sqrt(2.0 * p->materials[i].density /
+                               (volume * micromodulus(p, &p->materials[i]) * inverse_lengths)));
+    return step;
+}
+
+pdmc_explicit_amounts pdmc_explicit_count(const pdmc_explicit *problem)
+{
+    double extent = 0.0, inverse_lengths;
+    for (int i = 0; i < problem->body_count; i++) extent += pdmc_explicit_extent(problem, &problem->bodies[i].shape);
+    const double nodes = extent / pow(problem->spacing, problem->dimension);
+    const double neighbours = sum_neighbours(problem, &inverse_lengths);
+    const double step = problem->has_step ? problem->step : problem->safety * stable_step(problem, inverse_lengths);
+    return (pdmc_explicit_amounts){
+        .nodes = nodes, .bonds = 0.5 * neighbours * nodes, .steps = ceil(problem->duration / step * (1.0 - 1e-9))};
+}
+
+// What the engine takes, of lists that the study gives in another form.
+typedef struct {
+    pdmc_brittle_material *materials;
+    pdmc_layer_condition *conditions;
+    pdmc_rigid_sphere *spheres;
+} lists;
+
+static void drop_lists(lists *l)
+{
+    pdmc_free(l->materials);
+    pdmc_free(l->conditions);
+    pdmc_free(l->spheres);
+}
+
+static pdmc_status fill_lists(const pdmc_explicit *p, lists *l)
+{
+    static const double start = 0.0, always = 1.0;
+    pdmc_status status = PDMC_OK;
+    PDMC_NEW(l->materials, p->material_count);
+    PDMC_NEW(l->conditions, p->condition_count);
+    PDMC_NEW(l->spheres, p->sphere_count);
+    for (int i = 0; i < p->material_count; i++) l->materials[i] = pdmc_explicit_law(p, &p->materials[i]);
+    for (int i = 0; i < p->condition_count; i++) {
+        l->conditions[i] = p->conditions[i].layer;
+        if (l->conditions[i].history.count == 0) l->conditions[i].history = (pdmc_history){1, &start, &always};
+    }
+    for (int i = 0; i < p->sphere_count; i++) {
+        l->spheres[i] = p->spheres[i].sphere;
+        if (!p->spheres[i].has_mass) l->spheres[i].mass = INFINITY;
+    }
+done:
+    return status;
+}
+
+static pdmc_particles_options options_of(const pdmc_explicit *p, const lists *l, int threads)
+{
+    return (pdmc_particles_options){
+        .dimension = p->dimension,
+        .spacing = p->spacing,
+        .offset = {p->offset[0], p->offset[1], p->offset[2]},
+        .thickness = p->thickness,
+        .horizon = p->horizon,
+        .volume_rule = p->volume_rule,
+        .contact_distance = p->contact_distance,
+        .contact_stiffness = p->contact_stiffness,
+        .material_count = p->material_count,
+        .body_count = p->body_count,
+        .crack_count = p->crack_count,
+        .condition_count = p->condition_count,
+        .sphere_count = p->sphere_count,
+        .materials = l->materials,
+        .bodies = p->bodies,
+        .cracks = p->cracks,
+        .conditions = l->conditions,
+        .spheres = l->spheres,
+        .step = p->has_step ? p->step : 0.0,
+        .safety = p->safety,
+        .threads = threads,
+    };
+}
+
+pdmc_status pdmc_explicit_particles(const pdmc_explicit *problem, int threads, pdmc_particles **particles)
+{
+    pdmc_status status = PDMC_OK;
+    lists l = {0};
+    *particles = NULL;
+    PDMC_TRY(fill_lists(problem, &l));
+    const pdmc_particles_options options = options_of(problem, &l, threads);
+    status = pdmc_particles_create(&options, particles);
+    if (status == PDMC_ERR_ARG) status = pdmc_raise(PDMC_ERR_CONFIG, "%s", pdmc_last_error());
+done:
+    drop_lists(&l);
+    return status;
+}
