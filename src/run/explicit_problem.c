@@ -43,20 +43,29 @@ pdmc_brittle_material pdmc_explicit_law(const pdmc_explicit *problem, const pdmc
     return law;
 }
 
-// Over the neighbours of a node inside a body: their number, and the sum of 1 / |xi|.
+// The share of its volume by which a neighbour counts.
+static double share_of(const pdmc_explicit *p, double length)
+{
+    const double beyond = (length - p->horizon) / p->spacing;
+    if (p->volume_rule != PDMC_VOLUME_PARTIAL && beyond > 1e-9) return 0.0;
+    return p->volume_rule == PDMC_VOLUME_WHOLE ? 1.0 : fmax(0.0, fmin(1.0, 0.5 - beyond));
+}
+
+// Over the neighbours of a node inside a body: their number, and the sum of their shares over |xi|.
 static double sum_neighbours(const pdmc_explicit *p, double *inverse_lengths)
 {
-    const double h = p->spacing, edge = p->horizon * (1.0 + 1e-9);
-    const int reach = (int)(edge / h), depth = p->dimension == 3 ? reach : 0;
+    const double h = p->spacing;
+    const int reach = (int)(p->horizon / h + 0.5 + 1e-9), depth = p->dimension == 3 ? reach : 0;
     double count = 0.0;
     *inverse_lengths = 0.0;
     for (int k = -depth; k <= depth; k++)
         for (int j = -reach; j <= reach; j++)
             for (int i = -reach; i <= reach; i++) {
                 const double length = h * sqrt((double)(i * i + j * j + k * k));
-                if (length == 0.0 || length > edge) continue;
+                const double share = length > 0.0 ? share_of(p, length) : 0.0;
+                if (share < 1e-9) continue;
                 count += 1.0;
-                *inverse_lengths += 1.0 / length;
+                *inverse_lengths += share / length;
             }
     return count;
 }

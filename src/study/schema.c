@@ -155,7 +155,7 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define LINES CHOICES("point", "segment")
 #define BONDS CHOICES("all", "tensile")
 #define MEASURES CHOICES("bond", "griffith")
-#define VOLUMES CHOICES("whole", "tapered")
+#define VOLUMES CHOICES("whole", "partial", "tapered")
 #define SHAPES CHOICES("box", "cylinder", "ball")
 #define PLANAR_CRACKS CHOICES("segment", "disc", "rectangle")
 #define CONDITIONS CHOICES("velocity", "force")
@@ -397,8 +397,9 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_PARTICLE_GRID, "horizon", KIND_OPTIONAL, UNIT_LENGTH, POSITIVE, IN_MOTION(horizon),
      .flag = IN_MOTION(has_horizon), .fallback = "horizon_ratio spacings", .doc = "length of the longest bond"},
     {SECTION_PARTICLE_GRID, "volume", KIND_CHOICE, .offset = IN_MOTION(volume_rule), .choices = VOLUMES,
-     .fallback = "tapered",
-     .doc = "of a neighbour: whole inside the horizon, or falling to one half over its last half spacing"},
+     .fallback = "partial",
+     .doc = "of a neighbour: whole inside the horizon; a share that falls from 1 to 0 over the spacing round it, whose sums "
+            "converge; or that share with nothing beyond the horizon, as LAMMPS has it"},
     {SECTION_PARTICLE_GRID, "thickness", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_MOTION(thickness), .fallback = "1.0",
      WHERE("dimension", PLANE), .doc = "extent out of the plane"},
     {SECTION_PARTICLE_GRID, "assumption", KIND_CHOICE, .offset = IN_MOTION(assumption), .choices = ASSUMPTIONS,

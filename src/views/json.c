@@ -177,7 +177,7 @@ static json_t *solver(const pdmc_solver_report *s)
     return object;
 }
 
-static void put_plate(const pdmc_results *r, json_t **object)
+static void put_samples(const pdmc_results *r, json_t **object)
 {
     pdmc_json_put(object, "samples", json_integer(r->sample_count));
     pdmc_json_put(object, "kept", json_integer(r->kept_count));
@@ -186,6 +186,10 @@ static void put_plate(const pdmc_results *r, json_t **object)
     pdmc_json_put(object, "measure", pdmc_json_text(pdmc_measure_names[r->measure]));
     pdmc_json_put(object, "bonds", pdmc_json_text(r->bonds == PDMC_BONDS_ALL ? "all" : "tensile"));
     pdmc_json_put(object, "fracture_energy", pdmc_json_number(r->fracture_energy));
+}
+
+static void put_plate(const pdmc_results *r, json_t **object)
+{
     pdmc_json_put(object, "confidence", pdmc_json_number(r->confidence));
     pdmc_json_put(object, "tips", tips(r));
     if (r->kind == PDMC_DYNAMIC) pdmc_json_put(object, "motion", motion(r));
@@ -205,6 +209,7 @@ static json_t *everything(const pdmc_results *r)
     pdmc_json_put(&object, "pdmc_version", pdmc_json_text(r->pdmc_version));
     pdmc_json_put(&object, "git_sha1", pdmc_json_text(r->git_sha1));
     pdmc_json_put(&object, "status", pdmc_json_text(pdmc_run_status_names[r->status]));
+    if (r->kind != PDMC_EXPLICIT) put_samples(r, &object);
     pdmc_json_put(&object, "units", pdmc_json_units(r));
     if (r->kind == PDMC_EXPLICIT) pdmc_json_put(&object, "explicit", pdmc_json_explicit(&r->particles));
     else put_plate(r, &object);

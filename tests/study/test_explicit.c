@@ -94,7 +94,7 @@ static void defaults_are_of_the_first_step(void **state)
     CHECK_OK(read_text(space, &study));
     const pdmc_explicit *m = &study.motion;
     CHECK_NEAR(m->horizon, 1.5, 0.0);
-    assert_int_equal(m->volume_rule, PDMC_VOLUME_TAPERED);
+    assert_int_equal(m->volume_rule, PDMC_VOLUME_PARTIAL);
     CHECK_NEAR(m->contact_distance, 1.35, 0.0);
     CHECK_NEAR(m->contact_stiffness, 15.0, 0.0);
     assert_false(m->has_step);
