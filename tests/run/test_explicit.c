@@ -29,8 +29,8 @@ static void run_explicit(const char *settings, const pdmc_run_options *options, 
 static const char torn[] = GRID GLASS
     "bodies = ( { from = [-20, -20]; to = [20, 20]; } );\n"
     "cracks = ( { name = \"c\"; from = [-5, 0]; to = [5, 0]; } );\n"
-    "conditions = ( { from = [-20, 17]; to = [20, 20]; y = 0.08; times = [20, 20]; factors = [1, 0]; },\n"
-    "               { from = [-20, -20]; to = [20, -17]; y = -0.08; times = [20, 20]; factors = [1, 0]; } );\n"
+    "conditions = ( { from = [-20, 17]; to = [20, 20]; y = 0.01; times = [20, 20]; factors = [1, 0]; },\n"
+    "               { from = [-20, -20]; to = [20, -17]; y = -0.01; times = [20, 20]; factors = [1, 0]; } );\n"
     "time = { duration = 60; }; record = { interval = 2; snapshots = 4; speed_window = 8; };";
 
 // Free flight: 6 x 4 nodes of mass 2 * 1 * 1 * 0.25; a sphere far away that keeps its velocity.
