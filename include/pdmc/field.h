@@ -86,3 +86,24 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_field_coefficients(const pdmc_field *fi
 /// @return PDMC_OK, PDMC_ERR_ARG, PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_radial_modes(const pdmc_covariance *covariance, double radius, int bins,
                                                       int modes, double factor[], double *retained);
+
+/// A stationary normal process g along a line of mean 0, in its leading modes: v g(x) = sum_k z_k psi_k(x), psi_k = v
+/// sqrt(lambda_k) phi_k with the eigenpairs of the covariance on [-length / 2, length / 2], z independent standard normal.
+typedef struct pdmc_process pdmc_process;
+
+/// By Galerkin's method in Legendre polynomials, as a field.
+/// @param[in]  variation  v >= 0
+/// @param[in]  modes      >= 1
+/// @param[out] process    destroy with pdmc_process_destroy()
+/// @return PDMC_OK, PDMC_ERR_ARG (also for more modes than the method can resolve), PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_process_create(const pdmc_covariance *covariance, double length,
+                                                        double variation, int modes, pdmc_process **process);
+
+/// NULL is allowed; sets the pointer to NULL.
+PDMC_API void pdmc_process_destroy(pdmc_process **process);
+
+/// The share of the variance, averaged over the line, that the modes hold.
+PDMC_API double pdmc_process_retained(const pdmc_process *process);
+
+/// psi_mode(x).
+PDMC_API double pdmc_process_mode(const pdmc_process *process, int mode, double x);

@@ -44,14 +44,26 @@ typedef struct {
     double displacement[2]; // length; 0 where not held
 } pdmc_support;
 
-/// What may be random. The scalars have a distribution of their own; the micromodulus and the stiffness are functions.
+/// What may be random. The scalars have a distribution of their own; the others, which come first, are functions.
 typedef enum {
     PDMC_QUANTITY_MICROMODULUS,    // c(r), the same everywhere
     PDMC_QUANTITY_STIFFNESS,       // M(x) of mean 1, a factor on E
+    PDMC_QUANTITY_LOAD_NOISE_LEFT, // 1 + v g(s), a factor on the traction along a side; others in the order of pdmc_side
+    PDMC_QUANTITY_LOAD_NOISE_RIGHT,
+    PDMC_QUANTITY_LOAD_NOISE_BOTTOM,
+    PDMC_QUANTITY_LOAD_NOISE_TOP,
     PDMC_QUANTITY_LOAD,            // one factor on all tractions
     PDMC_QUANTITY_YOUNGS_MODULUS,  // E, force / length^2
     PDMC_QUANTITY_FRACTURE_ENERGY, // G_c, force / length
     PDMC_QUANTITY_THICKNESS,       // length; the forces on the sides stay, so that the tractions go with its inverse
+    PDMC_QUANTITY_LOAD_LEFT,       // a factor on the traction of one side; others in the order of pdmc_side
+    PDMC_QUANTITY_LOAD_RIGHT,
+    PDMC_QUANTITY_LOAD_BOTTOM,
+    PDMC_QUANTITY_LOAD_TOP,
+    PDMC_QUANTITY_LOAD_DIRECTION_LEFT, // by which it is turned, degrees, counter-clockwise; others in the same order
+    PDMC_QUANTITY_LOAD_DIRECTION_RIGHT,
+    PDMC_QUANTITY_LOAD_DIRECTION_BOTTOM,
+    PDMC_QUANTITY_LOAD_DIRECTION_TOP,
     PDMC_QUANTITY_CRACK_LENGTH,    // length of a crack from end to end, about its middle
     PDMC_QUANTITY_CRACK_ANGLE,     // by which it is turned about its middle, degrees, counter-clockwise
     PDMC_QUANTITY_CRACK_X,         // by which its middle is shifted, length
@@ -60,7 +72,7 @@ typedef enum {
     PDMC_FIRST_SCALAR = PDMC_QUANTITY_LOAD,
     PDMC_FIRST_OF_CRACK = PDMC_QUANTITY_CRACK_LENGTH
 } pdmc_quantity;
-enum { PDMC_SCALARS = PDMC_QUANTITIES - PDMC_FIRST_SCALAR };
+enum { PDMC_SIDES = 4, PDMC_SCALARS = PDMC_QUANTITIES - PDMC_FIRST_SCALAR };
 
 /// c(r) in equal bins of [0, horizon]: independent, or correlated over the radius.
 typedef enum { PDMC_RADIAL_NOISE, PDMC_RADIAL_PROCESS } pdmc_radial_model;
@@ -94,6 +106,7 @@ typedef struct {
 /// `bins` equal bins of [0, horizon] (Evangelatos & Spanos 2011, eq. 51 and section 6.3). The number of bins is a
 /// physical input: the scatter of the effective modulus falls as 1 / sqrt(bins). "Radial process": the Z_b are correlated.
 /// Stiffness: a random field with the covariance and the variation.
+/// Noise of a load: a stationary normal process along the side with the covariance and the variation.
 typedef struct {
     pdmc_quantity quantity;
     pdmc_distribution_kind distribution;
@@ -103,10 +116,10 @@ typedef struct {
     pdmc_distribution law;      // of a scalar, in its own unit; a load's is a factor
     pdmc_radial_model model;    // of the micromodulus
     int bins;                   // of the micromodulus, >= 1
-    double variation;           // of the micromodulus and the stiffness: coefficient of variation, >= 0
-    pdmc_covariance covariance; // of the stiffness, and of a radial process
+    double variation;           // of a function: coefficient of variation at a point, >= 0
+    pdmc_covariance covariance; // of a stiffness, the noise of a load, and a radial process
     bool has_length, has_smoothness;
-    int modes; // of the expansion of a stiffness or a radial process
+    int modes; // of their expansion
     int crack; // that a length, an angle or a shift is of
 } pdmc_uncertainty;
 
@@ -265,8 +278,14 @@ PDMC_API void pdmc_problem_clear(pdmc_problem *problem);
 /// The entry for a quantity, or NULL where the quantity is certain.
 PDMC_API const pdmc_uncertainty *pdmc_problem_uncertainty(const pdmc_problem *problem, pdmc_quantity quantity);
 
-/// The mean of a scalar quantity where the study does not give it: 1 for the load, the material's, the plate's, the
-/// length of the crack, 0 for its angle and shift.
+/// Whether a quantity is one of those of the four sides that begin with `first`, that of the left.
+static inline bool pdmc_is_of_sides(pdmc_quantity quantity, pdmc_quantity first)
+{
+    return first <= quantity && (int)quantity < (int)first + PDMC_SIDES;
+}
+
+/// The mean of a scalar quantity where the study does not give it: 1 for loads, the material's, the plate's, the length of
+/// the crack, 0 for its angle and shift and for the direction of a load.
 PDMC_API double pdmc_problem_nominal(const pdmc_problem *problem, pdmc_quantity quantity);
 
 /// Whether the place of a crack is random, so that every sample has a plate of its own.
@@ -334,6 +353,11 @@ PDMC_API double pdmc_wave_speed(const pdmc_material *material, double density);
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_problem_free_motions(const pdmc_problem *problem, int *count,
                                                               double motions[3][3]);
 
-/// Refuses tractions that do work on a rigid motion which nothing holds.
+/// Refuses what a random load of one side cannot be: of a side without a load, turned where it has noise or where a support
+/// holds the side, or doing work on a rigid motion which nothing holds: then samples would not be in equilibrium.
+/// @return PDMC_OK (also for other quantities), PDMC_ERR_CONFIG, or PDMC_ERR_EXTERN
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_problem_check_random_load(const pdmc_problem *problem, pdmc_quantity quantity);
+
+/// Refuses tractions, as they are given or as they vary, that do work on a rigid motion which nothing holds.
 /// @return PDMC_OK, PDMC_ERR_CONFIG, or PDMC_ERR_EXTERN
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_problem_check_equilibrium(const pdmc_problem *problem);

@@ -24,6 +24,9 @@ typedef enum {
     PDMC_STREAM_CRACK_ANGLE = 14,
     PDMC_STREAM_CRACK_X = 15,
     PDMC_STREAM_CRACK_Y = 16,
+    PDMC_STREAM_LOAD_NOISE = 32,     // of the first side; others in the order of pdmc_side
+    PDMC_STREAM_LOAD_SIDE = 36,      // ...
+    PDMC_STREAM_LOAD_DIRECTION = 40, // ...
 } pdmc_stream;
 
 /// Uniform numbers in the open interval (0, 1): the odd multiples of 2^-53, so that 1 - u is exact and as likely as u.

@@ -143,9 +143,9 @@ static pdmc_status fill_solutions(const pdmc_bond *bond, pdmc_affine *model)
     model->discretisation = (void *)bond;
     model->unknowns = bond->unknowns;
     model->micromodulus = pdmc_micromodulus(&bond->problem->material, bond->problem->solver.horizon);
-    model->cases = 2;
-    PDMC_NEW(model->solution, 2 * n);
-    for (size_t l = 0; l < 2; l++) memcpy(&model->solution[l * n], bond->solution[l], n * sizeof(double));
+    model->cases = 1 + bond->loads.count;
+    PDMC_NEW(model->solution, (size_t)model->cases * n);
+    memcpy(model->solution, bond->solution, (size_t)model->cases * n * sizeof(double));
     PDMC_NEW(model->stress_intensity, 2 * (size_t)model->tips * n);
     for (int t = 0; t < model->tips; t++) {
         double *row = &model->stress_intensity[2 * (size_t)t * n];

@@ -60,17 +60,21 @@ static int node_at_side(const pdmc_problem *problem, const pdmc_bond_grid *grid,
     return (first[1] + at[1]) * grid->columns + first[0] + at[0];
 }
 
-// A traction as a body force in the layer of nodes next to its side: sigma h / rows on every node.
-static void add_load(pdmc_bond *bond, const pdmc_load *load)
+// The traction of a case as a body force in the layer of nodes next to its side: sigma h / rows on every node.
+static void add_load(pdmc_bond *bond, int index, pdmc_side side)
 {
     const pdmc_bond_grid *grid = &bond->plate.grid;
     const int rows = (int)lround(bond->problem->solver.load_layer / grid->spacing);
+    double *load = &bond->load[(size_t)index * (size_t)bond->unknowns];
     for (int depth = 0; depth < rows; depth++) {
         int node;
-        for (int along = 0; (node = node_at_side(bond->problem, grid, load->side, along, depth)) >= 0; along++)
+        for (int along = 0; (node = node_at_side(bond->problem, grid, side, along, depth)) >= 0; along++) {
+            double x[2], traction[2];
+            pdmc_bond_grid_node(grid, node, x);
+            pdmc_load_traction(&bond->loads, index, side, x, traction);
             for (int k = 0; k < 2; k++)
-                if (!(grid->held[node] & (1U << k)))
-                    bond->load[2 * node + k] += load->traction[k] * grid->spacing / rows;
+                if (!(grid->held[node] & (1U << k))) load[2 * node + k] += traction[k] * grid->spacing / rows;
+        }
     }
 }
 
@@ -154,7 +158,7 @@ done:
 }
 
 pdmc_status pdmc_bond_solve(const pdmc_bond *bond, const pdmc_bond_factor *factor, const pdmc_bond_moduli *moduli,
-                            const double scale[2], double x[])
+                            const double scale[], double x[])
 {
     pdmc_status status = PDMC_OK;
     const int n = bond->unknowns;
@@ -163,6 +167,8 @@ pdmc_status pdmc_bond_solve(const pdmc_bond *bond, const pdmc_bond_factor *facto
     PDMC_TRY(pdmc_bond_product(bond, moduli, bond->plate.grid.prescribed, force));
     for (int k = 0; k < n; k++)
         x[k] = scale[0] * (bond->plate.grid.prescribed[k] - force[k]) + scale[1] * bond->load[k];
+    for (int l = 1; l < bond->loads.count; l++)
+        cblas_daxpy(n, scale[1 + l], &bond->load[(size_t)l * (size_t)n], 1, x, 1);
     PDMC_TRY(pdmc_bond_factor_solve(factor, 1, x, x));
 done:
     pdmc_free(force);
@@ -173,18 +179,20 @@ static pdmc_status solve_mean(pdmc_bond *bond)
 {
     pdmc_status status = PDMC_OK;
     const int n = bond->unknowns, shells = bond->plate.horizon.shells;
-    double *factor = NULL, *force = NULL;
+    const size_t cases = (size_t)bond->loads.count;
+    double *factor = NULL, *force = NULL, *held = NULL;
     PDMC_NEW(factor, shells);
     PDMC_NEW(force, n);
+    PDMC_NEW(held, 1 + cases);
     PDMC_NEW(bond->mean, n);
+    PDMC_NEW(bond->solution, (1 + cases) * (size_t)n);
     const pdmc_bond_moduli moduli = {.shell = factor};
     for (int s = 0; s < shells; s++) factor[s] = 1.0;
-    for (int l = 0; l < 2; l++) {
-        const double scale[2] = {l == 0, l == 1};
-        PDMC_NEW(bond->solution[l], n);
-        PDMC_TRY(pdmc_bond_solve(bond, bond->factor, &moduli, scale, bond->solution[l]));
-        cblas_daxpy(n, 1.0, bond->solution[l], 1, bond->mean, 1);
-    }
+    held[0] = 1.0;
+    PDMC_TRY(pdmc_bond_solve(bond, bond->factor, &moduli, held, bond->solution));
+    for (size_t l = 0; l < cases; l++)
+        PDMC_TRY(pdmc_bond_factor_solve(bond->factor, 1, &bond->load[l * (size_t)n], &bond->solution[(1 + l) * (size_t)n]));
+    for (size_t l = 0; l < 2; l++) cblas_daxpy(n, 1.0, &bond->solution[l * (size_t)n], 1, bond->mean, 1);
     PDMC_TRY(take_out_rigid_motions(bond, bond->mean));
     PDMC_TRY(pdmc_bond_product(bond, &moduli, bond->mean, force));
     for (int k = 0; k < n; k++)
@@ -192,6 +200,7 @@ static pdmc_status solve_mean(pdmc_bond *bond)
 done:
     pdmc_free(factor);
     pdmc_free(force);
+    pdmc_free(held);
     return status;
 }
 
@@ -207,8 +216,10 @@ static pdmc_status make_plate(pdmc_bond *bond)
     PDMC_TRY(hold_rigid_motions(problem, &plate->grid));
     PDMC_TRY(pdmc_bond_families_create(problem, &plate->grid, &plate->horizon, &plate->families));
     bond->unknowns = 2 * plate->grid.nodes;
-    PDMC_NEW(bond->load, bond->unknowns);
-    for (int l = 0; l < problem->load_count; l++) add_load(bond, &problem->loads[l]);
+    PDMC_TRY(pdmc_load_cases_create(problem, &bond->loads));
+    PDMC_NEW(bond->load, (size_t)bond->loads.count * (size_t)bond->unknowns);
+    for (int l = 0; l < bond->loads.count; l++)
+        for (int side = 0; side < PDMC_SIDES; side++) add_load(bond, l, (pdmc_side)side);
     bond->assembly_seconds = pdmc_seconds() - start;
 done:
     return status;
@@ -242,8 +253,9 @@ void pdmc_bond_destroy(pdmc_bond **bond)
     pdmc_bond_families_clear(&old->plate.families);
     pdmc_bond_grid_clear(&old->plate.grid);
     pdmc_bond_horizon_clear(&old->plate.horizon);
+    pdmc_load_cases_clear(&old->loads);
     pdmc_free(old->load);
-    for (int l = 0; l < 2; l++) pdmc_free(old->solution[l]);
+    pdmc_free(old->solution);
     pdmc_free(old->mean);
     pdmc_free(old);
     *bond = NULL;

@@ -6,6 +6,7 @@
 
 #include "bond/factor.h"
 #include "pdmc/affine.h"
+#include "pdmc/load_cases.h"
 #include "pdmc/results.h"
 
 typedef struct {
@@ -13,9 +14,10 @@ typedef struct {
     int threads, unknowns; // 2 nodes
     pdmc_bond_plate plate;
     pdmc_bond_factor *factor; // of the mean operator
-    double *load;             // [unknowns] force / thickness of the tractions; 0 where held
-    double *solution[2];      // [unknowns] answers to the prescribed displacements, and to the tractions
-    double *mean;             // [unknowns] their sum, without rigid motions that nothing holds
+    pdmc_load_cases loads;
+    double *load;             // [cases of the loads, unknowns] force / thickness of the tractions; 0 where held
+    double *solution;         // [1 + cases, unknowns] answers to the prescribed displacements, and to these
+    double *mean;             // [unknowns] the sum of the first two, without rigid motions that nothing holds
     double residual;          // largest of the mean, force / length^2
     double assembly_seconds, factorisation_seconds;
 } pdmc_bond;
@@ -34,11 +36,11 @@ void pdmc_bond_destroy(pdmc_bond **bond);
 PDMC_NODISCARD pdmc_status pdmc_bond_product(const pdmc_bond *bond, const pdmc_bond_moduli *moduli, const double x[],
                                              double y[]);
 
-/// Solves for scale[0] times the prescribed displacements and scale[1] times the tractions.
+/// Solves for scale[0] times the prescribed displacements and scale[1 + l] times case l of the loads.
 /// @param[in]  factor  of the operator with these moduli
 /// @param[out] x       [unknowns]
 PDMC_NODISCARD pdmc_status pdmc_bond_solve(const pdmc_bond *bond, const pdmc_bond_factor *factor,
-                                           const pdmc_bond_moduli *moduli, const double scale[2], double x[]);
+                                           const pdmc_bond_moduli *moduli, const double scale[], double x[]);
 
 /// The mean displacement at x: that of a node, or the polynomial of degree 2 that fits the nodes nearby that are seen
 /// from `anchor`, a point close by on the side of a crack that is meant; elsewhere anchor = x.

@@ -62,7 +62,7 @@ static pdmc_status solve(const pdmc_affine *model, const double xi[], const doub
     PDMC_NEW(load, m);
     cblas_domatcopy(CblasColMajor, CblasTrans, m, n, 1.0, kansa->q, m, transposed, n);
     for (int row = 0; row < m; row++) add_rings(rings, model->terms, xi, row, &transposed[(size_t)row * (size_t)n]);
-    for (int l = 0; l < 2; l++) cblas_daxpy(m, scale[l], kansa->load[l], 1, load, 1);
+    cblas_dgemv(CblasRowMajor, CblasTrans, kansa->cases, m, 1.0, kansa->load, m, scale, 1, 0.0, load, 1);
     const int info = LAPACKE_dgels(LAPACK_COL_MAJOR, 'T', n, m, 1, transposed, n, load, m);
     if (info > 0) PDMC_FAIL(PDMC_ERR_SINGULAR, "the sample's system is rank deficient");
     if (info < 0) PDMC_FAIL(PDMC_ERR_EXTERN, "LAPACKE_dgels returned %d", info);
@@ -112,10 +112,11 @@ static pdmc_status find_response(const pdmc_kansa *kansa, int terms, const doubl
     double *start = NULL, norm = 0.0;
     int count = 0;
     PDMC_TRY(pdmc_ring_operator_create(kansa, &operators));
-    PDMC_NEW(start, 2 * (size_t)(terms + 1) * n);
-    for (int l = 0; l < 2; l++) {
-        norm += cblas_dnrm2((int)n, kansa->whitened[l], 1);
-        memcpy(&start[(size_t)count++ * n], kansa->whitened[l], n * sizeof *start);
+    PDMC_NEW(start, (size_t)(kansa->cases * (terms + 1)) * n);
+    for (int l = 0; l < kansa->cases; l++) {
+        const double *mean = &kansa->whitened[(size_t)l * n];
+        if (l < 2) norm += cblas_dnrm2((int)n, mean, 1);
+        memcpy(&start[(size_t)count++ * n], mean, n * sizeof *start);
         for (int q = 0; q < terms; q++) {
             double *direction = &start[(size_t)count++ * n];
             pdmc_ring_operator_residual(&operators, q, l, direction);
@@ -151,11 +152,12 @@ static pdmc_status create_operator(const pdmc_kansa *kansa, pdmc_affine *model)
     PDMC_TRY(find_response(kansa, model->terms, size, rings));
     if (kansa->problem->sampling.inverse == PDMC_INVERSE_DIRECT) PDMC_TRY(whiten_rings(kansa, model->terms, rings));
     model->unknowns = rings->response.dimension;
-    model->cases = 2;
-    PDMC_NEW(model->solution, 2 * model->unknowns);
-    for (int l = 0; l < 2; l++)
+    model->cases = kansa->cases;
+    PDMC_NEW(model->solution, model->cases * model->unknowns);
+    for (int l = 0; l < model->cases; l++)
         cblas_dgemv(CblasRowMajor, CblasNoTrans, model->unknowns, kansa->unknowns, 1.0, rings->response.basis,
-                    kansa->unknowns, kansa->whitened[l], 1, 0.0, &model->solution[l * model->unknowns], 1);
+                    kansa->unknowns, &kansa->whitened[(size_t)l * (size_t)kansa->unknowns], 1, 0.0,
+                    &model->solution[l * model->unknowns], 1);
 done:
     return status;
 }

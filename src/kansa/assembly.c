@@ -11,6 +11,11 @@ static size_t row_start(const pdmc_kansa *kansa, int row)
     return (size_t)row * (size_t)kansa->unknowns;
 }
 
+static double *load_row(pdmc_kansa *kansa, int l)
+{
+    return &kansa->load[(size_t)l * (size_t)kansa->rows];
+}
+
 // c_0 spacing F(r_q) at each interior point, and their weighted sum over the rings.
 static void assemble_interior_point(pdmc_kansa *kansa, pdmc_row_builder *builder, int i, double matrix[])
 {
@@ -36,20 +41,13 @@ static const pdmc_support *support_of(const pdmc_problem *problem, int side, int
     return NULL;
 }
 
-static void prescribed_traction(const pdmc_problem *problem, const pdmc_kansa_data *data,
-                                const pdmc_boundary_point *point, double t[2])
+static void prescribed_traction(const pdmc_kansa *kansa, const pdmc_kansa_data *data,
+                                const pdmc_boundary_point *point, int index, double t[2])
 {
     t[0] = t[1] = 0.0;
     if (point->side < 0) return; // faces of cracks are free
-    if (data && data->traction) {
-        data->traction(point->x, point->normal, t);
-        return;
-    }
-    for (int l = 0; l < problem->load_count; l++) {
-        if ((int)problem->loads[l].side != point->side) continue;
-        t[0] += problem->loads[l].traction[0];
-        t[1] += problem->loads[l].traction[1];
-    }
+    if (data && data->traction) data->traction(point->x, point->normal, t);
+    else pdmc_load_traction(&kansa->loads, index, (pdmc_side)point->side, point->x, t);
 }
 
 // A component that is held gets a row E / h u = E / h u_0, in units of stress like the others.
@@ -60,14 +58,18 @@ static void hold_component(pdmc_kansa *kansa, const pdmc_kansa_data *data, const
     double u[2] = {support->displacement[0], support->displacement[1]};
     if (data && data->displacement) data->displacement(point->x, u);
     for (int k = 0; k < kansa->unknowns; k++) values[k] *= weight;
-    kansa->load[0][row] = weight * u[component];
+    load_row(kansa, 0)[row] = weight * u[component];
 }
 
-static void load_component(pdmc_kansa *kansa, const pdmc_boundary_point *point, double traction, int row,
-                           double values[])
+static void load_component(pdmc_kansa *kansa, const pdmc_kansa_data *data, const pdmc_boundary_point *point,
+                           int component, int row, double values[])
 {
     for (int k = 0; k < kansa->unknowns; k++) values[k] *= point->weight;
-    kansa->load[1][row] = point->weight * traction;
+    for (int l = 0; l < kansa->loads.count; l++) {
+        double t[2];
+        prescribed_traction(kansa, data, point, l, t);
+        load_row(kansa, 1 + l)[row] = point->weight * t[component];
+    }
 }
 
 static void assemble_boundary_point(pdmc_kansa *kansa, const pdmc_kansa_data *data, pdmc_row_builder *builder,
@@ -75,8 +77,7 @@ static void assemble_boundary_point(pdmc_kansa *kansa, const pdmc_kansa_data *da
 {
     const pdmc_boundary_point *point = &kansa->points.boundary[j];
     const int first = 2 * (kansa->points.interior_count + j), unknowns = kansa->unknowns;
-    double *values = &matrix[row_start(kansa, first)], t[2];
-    prescribed_traction(kansa->problem, data, point, t);
+    double *values = &matrix[row_start(kansa, first)];
     pdmc_traction_rows(builder, point->x, point->anchor, point->normal, values, values + unknowns);
     pdmc_displacement_rows(builder, point->x, point->anchor, scratch, scratch + unknowns);
     for (int component = 0; component < 2; component++, values += unknowns, scratch += unknowns) {
@@ -86,7 +87,7 @@ static void assemble_boundary_point(pdmc_kansa *kansa, const pdmc_kansa_data *da
             for (int k = 0; k < unknowns; k++) values[k] = scratch[k];
             hold_component(kansa, data, point, support, component, first + component, values);
         } else {
-            load_component(kansa, point, t[component], first + component, values);
+            load_component(kansa, data, point, component, first + component, values);
         }
     }
 }
@@ -166,7 +167,7 @@ static void load_interior(pdmc_kansa *kansa, const pdmc_kansa_data *data)
         const pdmc_interior_point *point = &kansa->points.interior[i];
         double b[2];
         data->body_force(point->x, b);
-        for (int k = 0; k < 2; k++) kansa->load[1][2 * i + k] = point->spacing * b[k];
+        for (int k = 0; k < 2; k++) load_row(kansa, 1)[2 * i + k] = point->spacing * b[k];
     }
 }
 

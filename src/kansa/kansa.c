@@ -57,10 +57,10 @@ static pdmc_status prepare(pdmc_kansa *kansa)
     PDMC_NEW(kansa->is_traction, 2 * kansa->points.boundary_count);
     PDMC_NEW(kansa->q, m * n);
     PDMC_NEW(kansa->r, n * n);
-    for (int l = 0; l < 2; l++) {
-        PDMC_NEW(kansa->load[l], m);
-        PDMC_NEW(kansa->whitened[l], n);
-    }
+    PDMC_TRY(pdmc_load_cases_create(problem, &kansa->loads));
+    kansa->cases = 1 + kansa->loads.count;
+    PDMC_NEW(kansa->load, (size_t)kansa->cases * m);
+    PDMC_NEW(kansa->whitened, (size_t)kansa->cases * n);
     PDMC_NEW(kansa->coefficients, n);
 done:
     return status;
@@ -123,10 +123,13 @@ static pdmc_status solve_mean(pdmc_kansa *kansa)
     const int m = kansa->rows, n = kansa->unknowns;
     double *residual = NULL, *y = kansa->coefficients;
     PDMC_NEW(residual, m);
-    for (int l = 0; l < 2; l++) {
-        cblas_dgemv(CblasColMajor, CblasTrans, m, n, 1.0, kansa->q, m, kansa->load[l], 1, 0.0, kansa->whitened[l], 1);
-        cblas_daxpy(n, 1.0, kansa->whitened[l], 1, y, 1);
-        cblas_daxpy(m, 1.0, kansa->load[l], 1, residual, 1);
+    for (int l = 0; l < kansa->cases; l++) {
+        const double *load = &kansa->load[(size_t)l * (size_t)m];
+        double *whitened = &kansa->whitened[(size_t)l * (size_t)n];
+        cblas_dgemv(CblasColMajor, CblasTrans, m, n, 1.0, kansa->q, m, load, 1, 0.0, whitened, 1);
+        if (l > 1) continue;
+        cblas_daxpy(n, 1.0, whitened, 1, y, 1);
+        cblas_daxpy(m, 1.0, load, 1, residual, 1);
     }
     cblas_dgemv(CblasColMajor, CblasNoTrans, m, n, 1.0, kansa->q, m, y, 1, -1.0, residual, 1);
     kansa->residual = fabs(residual[cblas_idamax(m, residual, 1)]);
@@ -197,10 +200,9 @@ void pdmc_kansa_destroy(pdmc_kansa **kansa)
     pdmc_free(old->is_traction);
     pdmc_free(old->q);
     pdmc_free(old->r);
-    for (int l = 0; l < 2; l++) {
-        pdmc_free(old->load[l]);
-        pdmc_free(old->whitened[l]);
-    }
+    pdmc_load_cases_clear(&old->loads);
+    pdmc_free(old->load);
+    pdmc_free(old->whitened);
     pdmc_free(old->coefficients);
     pdmc_free(old);
     *kansa = NULL;

@@ -5,6 +5,7 @@
 #include "kansa/points.h"
 #include "kansa/rows.h"
 #include "pdmc/kansa.h"
+#include "pdmc/load_cases.h"
 #include "pdmc/quadrature.h"
 
 /// The assembled and factored mean system A_0 x = F, A_0 [rows, unknowns], A_0 = Q R.
@@ -21,8 +22,10 @@ struct pdmc_kansa {
     double share[PDMC_MAX_RINGS]; // E_eff / E = sum_q w_q share_q for weights w of the rings
     double *q;                    // [unknowns columns of rows] orthonormal
     double *r;                    // [unknowns, unknowns] column-major, upper triangle
-    double *load[2];              // [rows] F_0, F_1
-    double *whitened[2];          // [unknowns] Q^T F_0, Q^T F_1
+    pdmc_load_cases loads;
+    int cases;                    // 1 + those of the loads
+    double *load;                 // [cases, rows] F_l
+    double *whitened;             // [cases, unknowns] Q^T F_l
     double *coefficients;         // [unknowns] of the basis, at the mean loads
     double condition, residual;
     double assembly_seconds, factorisation_seconds;

@@ -67,8 +67,9 @@ void pdmc_ring_operator_residual(pdmc_ring_operator *rings, int q, int l, double
     const pdmc_kansa *kansa = rings->kansa;
     const int n = kansa->unknowns, m = kansa->rows, interior = 2 * kansa->points.interior_count;
     double *residual = rings->rows, *boundary = rings->rows + m;
-    memcpy(residual, kansa->load[l], (size_t)m * sizeof *residual);
-    cblas_dgemv(CblasColMajor, CblasNoTrans, m, n, -1.0, kansa->q, m, kansa->whitened[l], 1, 1.0, residual, 1);
+    memcpy(residual, &kansa->load[(size_t)l * (size_t)m], (size_t)m * sizeof *residual);
+    cblas_dgemv(CblasColMajor, CblasNoTrans, m, n, -1.0, kansa->q, m,
+                &kansa->whitened[(size_t)l * (size_t)n], 1, 1.0, residual, 1);
     cblas_dgemv(CblasColMajor, CblasNoTrans, n, interior, 1.0, ring_rows(kansa, q), n, residual, 1, 0.0, out, 1);
     pdmc_kansa_whiten(kansa, 1, out);
     memset(boundary, 0, (size_t)interior * sizeof *boundary);

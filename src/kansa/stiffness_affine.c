@@ -11,9 +11,10 @@ static pdmc_status copy_vectors(const pdmc_kansa_form *form, pdmc_affine *model)
 {
     pdmc_status status = PDMC_OK;
     const size_t n = (size_t)form->unknowns, values = 2 * (size_t)model->tips * n;
-    model->cases = 2;
-    PDMC_NEW(model->solution, 2 * n);
-    for (size_t l = 0; l < 2; l++) memcpy(&model->solution[l * n], form->load[l], n * sizeof(double));
+    model->cases = form->kansa->cases;
+    PDMC_NEW(model->solution, (size_t)model->cases * n);
+    memcpy(model->solution, form->fixed, n * sizeof(double));
+    memcpy(&model->solution[n], form->load, (size_t)form->kansa->loads.count * n * sizeof(double));
     PDMC_NEW(model->stress_intensity, values);
     memcpy(model->stress_intensity, form->intensity, values * sizeof(double));
 done:

@@ -77,7 +77,8 @@ static pdmc_status factor(pdmc_kansa_form *form)
                           "solver.shape or a larger solver.spacing",
                           info, n);
     pdmc_kansa_form_transform(form, PDMC_STRAIN_ROWS * form->points, form->strain);
-    for (int l = 0; l < 2; l++) pdmc_kansa_form_transform(form, 1, form->load[l]);
+    pdmc_kansa_form_transform(form, 1, form->fixed);
+    pdmc_kansa_form_transform(form, form->kansa->loads.count, form->load);
     return PDMC_OK;
 }
 
@@ -105,14 +106,14 @@ static pdmc_status assemble(pdmc_kansa_form *form)
     pdmc_weak_form weak = {0};
     PDMC_NEW(weak.stiffness, n * n);
     PDMC_NEW(weak.fixed, n);
-    PDMC_NEW(weak.load, n);
+    PDMC_NEW(weak.load, (size_t)form->kansa->loads.count * n);
     PDMC_TRY(pdmc_weak_rule(form->kansa, &rule));
     PDMC_TRY(integrate_plate(form, &rule, weak.stiffness));
     PDMC_TRY(pdmc_weak_form_add_sides(form->kansa, &weak));
     PDMC_TRY(pdmc_kansa_form_add_gauge(form->kansa, weak.stiffness));
     form->root = weak.stiffness;
-    form->load[0] = weak.fixed;
-    form->load[1] = weak.load;
+    form->fixed = weak.fixed;
+    form->load = weak.load;
     weak = (pdmc_weak_form){0};
     PDMC_TRY(factor(form));
     PDMC_TRY(fill_intensity(form));
@@ -150,7 +151,8 @@ void pdmc_kansa_form_destroy(pdmc_kansa_form **form)
     pdmc_free(old->x);
     pdmc_free(old->strain);
     pdmc_free(old->root);
-    for (int l = 0; l < 2; l++) pdmc_free(old->load[l]);
+    pdmc_free(old->fixed);
+    pdmc_free(old->load);
     pdmc_free(old->intensity);
     pdmc_free(old);
     *form = NULL;

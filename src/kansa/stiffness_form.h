@@ -12,7 +12,8 @@ struct pdmc_kansa_form {
     double *x;         // [points, 2] of a rule over the plate
     double *strain;    // [points, PDMC_STRAIN_ROWS, unknowns] in z; squares add to w sigma : epsilon
     double *root;      // [unknowns, unknowns] L, column-major, lower triangle
-    double *load[2];   // [unknowns] of prescribed displacements and of tractions, in z: K_0^-1 F is the same
+    double *fixed;     // [unknowns] of prescribed displacements, in z: K_0^-1 F is the same
+    double *load;      // [cases of the loads, unknowns] of tractions, in z
     double *intensity; // [2 tips, unknowns] rows of K_I and K_II of the problem's tips, where the stiffness is E
     pdmc_field_functional *sensitivity; // [tips]
 };

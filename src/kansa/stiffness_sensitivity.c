@@ -12,7 +12,8 @@ static void mean_and_adjoint(const pdmc_kansa_form *form, int tip, double vector
     const int n = form->unknowns;
     const double *row = &form->intensity[2 * (size_t)tip * (size_t)n];
     double *mean = vectors, *adjoint = vectors + n;
-    for (int l = 0; l < 2; l++) cblas_daxpy(n, 1.0, form->load[l], 1, mean, 1);
+    cblas_daxpy(n, 1.0, form->fixed, 1, mean, 1);
+    cblas_daxpy(n, 1.0, form->load, 1, mean, 1);
     const double K[2] = {cblas_ddot(n, row, 1, mean, 1), cblas_ddot(n, row + n, 1, mean, 1)};
     const double square = K[0] * K[0] + K[1] * K[1];
     for (int k = 0; k < 2 && square > 0.0; k++) cblas_daxpy(n, 2.0 * K[k] / square, row + k * n, 1, adjoint, 1);

@@ -8,7 +8,8 @@
 
 enum {
     CHUNK = 256,      // points whose rows are held at a time
-    SIDE_POINTS = 48, // Gauss points along a side
+    SIDE_POINTS = 48,   // Gauss points along a side
+    NOISY_POINTS = 256, // ... where a load has noise, whose waves may be short
 };
 static const double penalty = 1e4; // of prescribed displacements, in E / h
 
@@ -40,18 +41,15 @@ done:
     return status;
 }
 
-// What the problem prescribes on a side: the sum of its tractions, and the supports.
+// What the supports prescribe on a side.
 typedef struct {
-    double traction[2], displacement[2];
+    double displacement[2];
     bool held[2];
 } side_data;
 
 static side_data data_of(const pdmc_problem *problem, int side)
 {
     side_data data = {0};
-    for (int l = 0; l < problem->load_count; l++)
-        for (int k = 0; k < 2; k++)
-            if ((int)problem->loads[l].side == side) data.traction[k] += problem->loads[l].traction[k];
     for (int s = 0; s < problem->support_count; s++) {
         const pdmc_support *support = &problem->supports[s];
         for (int k = 0; k < 2; k++) {
@@ -63,6 +61,18 @@ static side_data data_of(const pdmc_problem *problem, int side)
     return data;
 }
 
+static void add_tractions(const pdmc_kansa *kansa, pdmc_side side, const double x[2], double weight,
+                          const double row[], pdmc_weak_form *form)
+{
+    const int n = kansa->unknowns;
+    for (int l = 0; l < kansa->loads.count; l++) {
+        double traction[2];
+        pdmc_load_traction(&kansa->loads, l, side, x, traction);
+        for (int k = 0; k < 2; k++)
+            cblas_daxpy(n, weight * traction[k], row + k * n, 1, &form->load[(size_t)l * (size_t)n], 1);
+    }
+}
+
 static pdmc_status integrate_side(const pdmc_kansa *kansa, int side, pdmc_row_builder *builder, double row[],
                                   pdmc_weak_form *form)
 {
@@ -72,16 +82,17 @@ static pdmc_status integrate_side(const pdmc_kansa *kansa, int side, pdmc_row_bu
     const double sign = side == PDMC_SIDE_LEFT || side == PDMC_SIDE_BOTTOM ? -0.5 : 0.5;
     const double stiffness = penalty * kansa->problem->material.youngs_modulus / kansa->spacing;
     const side_data data = data_of(kansa->problem, side);
-    double t[SIDE_POINTS], w[SIDE_POINTS];
-    const pdmc_status status = pdmc_gauss_legendre(SIDE_POINTS, -0.5 * size[1 - axis], 0.5 * size[1 - axis], t, w);
-    for (int i = 0; i < SIDE_POINTS && status == PDMC_OK; i++) {
+    const int points = kansa->loads.noise[side] ? NOISY_POINTS : SIDE_POINTS;
+    double t[NOISY_POINTS], w[NOISY_POINTS];
+    const pdmc_status status = pdmc_gauss_legendre(points, -0.5 * size[1 - axis], 0.5 * size[1 - axis], t, w);
+    for (int i = 0; i < points && status == PDMC_OK; i++) {
         double x[2];
         x[axis] = sign * size[axis];
         x[1 - axis] = t[i];
         pdmc_displacement_rows(builder, x, x, row, row + n);
         pdmc_kansa_whiten(kansa, 2, row);
+        add_tractions(kansa, (pdmc_side)side, x, w[i], row, form);
         for (int k = 0; k < 2; k++) {
-            cblas_daxpy(n, w[i] * data.traction[k], row + k * n, 1, form->load, 1);
             if (!data.held[k]) continue;
             cblas_dger(CblasColMajor, n, n, w[i] * stiffness, row + k * n, 1, row + k * n, 1, form->stiffness, n);
             cblas_daxpy(n, w[i] * stiffness * data.displacement[k], row + k * n, 1, form->fixed, 1);
@@ -113,7 +124,7 @@ pdmc_status pdmc_weak_form_create(const pdmc_kansa *kansa, pdmc_weak_form *form)
     PDMC_NEW(form->mass, n * n);
     PDMC_NEW(form->stiffness, n * n);
     PDMC_NEW(form->fixed, n);
-    PDMC_NEW(form->load, n);
+    PDMC_NEW(form->load, (size_t)kansa->loads.count * n);
     PDMC_TRY(pdmc_weak_rule(kansa, &rule));
     PDMC_TRY(integrate_plate(kansa, &rule, form));
     PDMC_TRY(pdmc_weak_form_add_sides(kansa, form));

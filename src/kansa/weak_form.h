@@ -9,7 +9,7 @@ typedef struct {
     double *mass;      // int u . u at density 1
     double *stiffness; // int sigma : epsilon, plus the penalty on prescribed displacements
     double *fixed;     // [unknowns] what prescribed displacements do
-    double *load;      // [unknowns] int over the sides t . u
+    double *load;      // [cases of the loads, unknowns] int over the sides t . u
 } pdmc_weak_form;
 
 /// The plate and its sides.

@@ -51,7 +51,7 @@ static pdmc_status solve(const pdmc_affine *model, const double xi[], const doub
     memcpy(matrix, paper->matrix, values * sizeof *matrix);
     for (int p = 0; p < model->terms; p++)
         for (size_t k = 0; k < moved; k++) matrix[k] += xi[p] * paper->term[(size_t)p * moved + k];
-    for (int l = 0; l < 2; l++) cblas_daxpy(n, scale[l], paper->load[l], 1, solution, 1);
+    for (int l = 0; l < paper->cases; l++) cblas_daxpy(n, scale[l], &paper->load[l * n], 1, solution, 1);
     int info = LAPACKE_dgetrf(LAPACK_COL_MAJOR, n, n, matrix, n, pivot); // of the transpose
     if (info > 0) PDMC_FAIL(PDMC_ERR_SINGULAR, "the sample's system is singular");
     if (info == 0) info = LAPACKE_dgetrs(LAPACK_COL_MAJOR, 'T', n, 1, matrix, n, pivot, solution, n);
@@ -91,15 +91,13 @@ static pdmc_status find_response(const pdmc_affine *model, double variation, exp
     const pdmc_paper *paper = expansion->paper;
     const size_t n = (size_t)paper->unknowns;
     double *start = NULL, size[PDMC_PAPER_TERMS], norm = 0.0;
-    PDMC_NEW(start, 2 * n);
-    for (size_t l = 0; l < 2; l++) {
-        memcpy(&start[l * n], paper->load[l], n * sizeof *start);
-        norm += cblas_dnrm2((int)n, paper->load[l], 1);
-    }
+    PDMC_NEW(start, (size_t)paper->cases * n);
+    memcpy(start, paper->load, (size_t)paper->cases * n * sizeof *start);
+    for (size_t l = 0; l < 2; l++) norm += cblas_dnrm2((int)n, &paper->load[l * n], 1);
     pdmc_radial_sizes(model, variation, size);
     const pdmc_response_operator operator= {paper->unknowns,    model->terms, size,     norm,
                                             response_tolerance, apply_term,   expansion};
-    PDMC_TRY(pdmc_response_create(&operator, 2, start, &expansion->response));
+    PDMC_TRY(pdmc_response_create(&operator, paper->cases, start, &expansion->response));
     const size_t values = (size_t)expansion->response.dimension * n;
     PDMC_NEW(expansion->coefficients, values);
     memcpy(expansion->coefficients, expansion->response.basis, values * sizeof(double));
@@ -124,11 +122,11 @@ static pdmc_status create_operator(const pdmc_paper *paper, pdmc_affine *model)
     PDMC_TRY(pdmc_radial_weights(model));
     PDMC_TRY(find_response(model, noise ? noise->variation : 0.0, expansion));
     model->unknowns = expansion->response.dimension;
-    model->cases = 2;
-    PDMC_NEW(model->solution, 2 * model->unknowns);
-    for (int l = 0; l < 2; l++)
+    model->cases = paper->cases;
+    PDMC_NEW(model->solution, model->cases * model->unknowns);
+    for (int l = 0; l < model->cases; l++)
         cblas_dgemv(CblasRowMajor, CblasNoTrans, model->unknowns, paper->unknowns, 1.0, expansion->response.basis,
-                    paper->unknowns, paper->load[l], 1, 0.0, &model->solution[l * model->unknowns], 1);
+                    paper->unknowns, &paper->load[l * paper->unknowns], 1, 0.0, &model->solution[l * model->unknowns], 1);
 done:
     return status;
 }

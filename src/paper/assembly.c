@@ -85,13 +85,15 @@ static const pdmc_support *support_of(const pdmc_problem *problem, const double 
     return NULL;
 }
 
-static double force_density(const pdmc_problem *problem, const double x[2], int component)
+static double force_density(const pdmc_paper *paper, int index, const double x[2], int component)
 {
-    double sum = 0.0;
-    for (int l = 0; l < problem->load_count; l++)
-        if (pdmc_paper_on_side(&problem->plate, problem->loads[l].side, x))
-            sum += problem->loads[l].traction[component];
-    return sum / problem->solver.edge_layer;
+    double sum = 0.0, traction[2];
+    for (int side = 0; side < PDMC_SIDES; side++) {
+        if (!pdmc_paper_on_side(&paper->problem->plate, (pdmc_side)side, x)) continue;
+        pdmc_load_traction(&paper->loads, index, (pdmc_side)side, x, traction);
+        sum += traction[component];
+    }
+    return sum / paper->problem->solver.edge_layer;
 }
 
 static void hold(pdmc_paper *paper, const workspace *work, const pdmc_support *support, int component, int row)
@@ -100,7 +102,7 @@ static void hold(pdmc_paper *paper, const workspace *work, const pdmc_support *s
     const double weight = paper->problem->material.youngs_modulus / paper->basis.scale;
     double *values = &paper->matrix[(size_t)row * (size_t)paper->unknowns];
     copy_scaled(scalars, weight, work->own, &values[component * scalars]);
-    paper->load[0][row] = weight * support->displacement[component];
+    paper->load[row] = weight * support->displacement[component];
 }
 
 static void balance(pdmc_paper *paper, const double x[2], int component, int row)
@@ -121,7 +123,9 @@ static void equate(pdmc_paper *paper, const workspace *work, const double x[2], 
         copy_scaled(2 * (int)scalars, 1.0, &work->block[(3 * p + (size_t)component) * scalars],
                     &paper->term[(p * (size_t)paper->rows_of_nodes + r) * n]);
     balance(paper, x, component, row);
-    paper->load[1][row] = paper->problem->solver.horizon * force_density(paper->problem, x, component);
+    for (int l = 0; l < paper->loads.count; l++)
+        paper->load[(size_t)(1 + l) * n + r] =
+            paper->problem->solver.horizon * force_density(paper, l, x, component);
 }
 
 static pdmc_status assemble_node(pdmc_paper *paper, workspace *work, int i)

@@ -24,8 +24,9 @@ static pdmc_status prepare(pdmc_paper *paper)
     PDMC_NEW(paper->factor, n * n);
     PDMC_NEW(paper->pivot, n);
     PDMC_NEW(paper->scale, n);
-    PDMC_NEW(paper->load[0], n);
-    PDMC_NEW(paper->load[1], n);
+    PDMC_TRY(pdmc_load_cases_create(problem, &paper->loads));
+    paper->cases = 1 + paper->loads.count;
+    PDMC_NEW(paper->load, (size_t)paper->cases * n);
     PDMC_NEW(paper->coefficients, n);
     if (is_random) PDMC_NEW(paper->term, (size_t)paper->terms * (size_t)paper->rows_of_nodes * n);
 done:
@@ -86,7 +87,7 @@ static pdmc_status solve_mean(pdmc_paper *paper)
     const int n = paper->unknowns, fields = 2 * paper->basis.scalars;
     double *x = paper->coefficients, *residual = NULL;
     PDMC_NEW(residual, n);
-    for (int l = 0; l < 2; l++) cblas_daxpy(n, 1.0, paper->load[l], 1, x, 1);
+    for (int l = 0; l < 2; l++) cblas_daxpy(n, 1.0, &paper->load[l * n], 1, x, 1);
     memcpy(residual, x, (size_t)n * sizeof *residual);
     PDMC_TRY(pdmc_paper_solve(paper, 1, x));
     cblas_dgemv(CblasRowMajor, CblasNoTrans, n, fields, 1.0, paper->matrix, n, x, 1, -1.0, residual, 1);
@@ -131,7 +132,8 @@ void pdmc_paper_destroy(pdmc_paper **paper)
     pdmc_free(old->factor);
     pdmc_free(old->pivot);
     pdmc_free(old->scale);
-    for (int l = 0; l < 2; l++) pdmc_free(old->load[l]);
+    pdmc_load_cases_clear(&old->loads);
+    pdmc_free(old->load);
     pdmc_free(old->coefficients);
     pdmc_free(old);
     *paper = NULL;

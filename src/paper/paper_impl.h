@@ -15,6 +15,7 @@
 
 #include "paper/basis.h"
 #include "pdmc/discretisation.h"
+#include "pdmc/load_cases.h"
 
 enum { PDMC_PAPER_TERMS = 11 }; // Legendre polynomials of the radius that a random c(r) is expanded in
 
@@ -31,7 +32,9 @@ typedef struct {
     double *factor;       // [unknowns, unknowns] LU of the transposed matrix with scaled rows, column-major
     int *pivot;           // [unknowns]
     double *scale;        // [unknowns] of the unknowns in the factor
-    double *load[2];      // [unknowns] F_0 held displacements, F_1 loads
+    pdmc_load_cases loads;
+    int cases;            // 1 + those of the loads
+    double *load;         // [cases, unknowns] F_l
     double *coefficients; // [unknowns] at the mean
     double condition, residual;
     double assembly_seconds, factorisation_seconds;

@@ -42,6 +42,10 @@ double pdmc_problem_nominal(const pdmc_problem *problem, pdmc_quantity quantity)
     switch (quantity) {
     case PDMC_QUANTITY_CRACK_LENGTH:
         return crack ? hypot(crack->to[0] - crack->from[0], crack->to[1] - crack->from[1]) : 0.0;
+    case PDMC_QUANTITY_LOAD_DIRECTION_LEFT:
+    case PDMC_QUANTITY_LOAD_DIRECTION_RIGHT:
+    case PDMC_QUANTITY_LOAD_DIRECTION_BOTTOM:
+    case PDMC_QUANTITY_LOAD_DIRECTION_TOP:
     case PDMC_QUANTITY_CRACK_ANGLE:
     case PDMC_QUANTITY_CRACK_X:
     case PDMC_QUANTITY_CRACK_Y: return 0.0;

@@ -55,7 +55,6 @@ void pdmc_draw_complete(const pdmc_problem *problem, const pdmc_affine *model, p
     draw->effective_modulus = radial * draw->energy_factor;
     draw->load_factor = scalar(draw, PDMC_QUANTITY_LOAD) / thickness;
     draw->load_share = draw->load_factor / (divided * draw->energy_factor);
-    for (int l = 0; l < model->cases; l++) draw->load_pattern[l] = l == 1;
     fill_radial_terms(model, divided, draw);
     fill_local_stiffness(model, draw);
 }
@@ -64,6 +63,7 @@ void pdmc_draw_mean(const pdmc_problem *problem, const pdmc_affine *model, pdmc_
 {
     for (int q = 0; q < PDMC_SCALARS; q++)
         draw->value[q] = pdmc_problem_nominal(problem, (pdmc_quantity)(PDMC_FIRST_SCALAR + q));
+    for (int l = 0; l < model->cases; l++) draw->load_pattern[l] = l == 1;
     for (int b = 0; b < model->bins; b++) draw->micromodulus[b] = 1.0;
     for (int m = model->radial_terms; m < model->terms; m++) draw->xi[m] = 0.0;
     pdmc_draw_complete(problem, model, draw);

@@ -31,7 +31,7 @@ static inline double pdmc_draw_scale(const pdmc_draw *draw, int l)
 double pdmc_draw_fracture_energy(const pdmc_draw *draw);
 
 /// Fills what follows from the scalars, c(r), and the field's coefficients, which are the terms beyond the radial ones.
-/// @param[in,out] draw  value, micromodulus and the field's xi are set; its arrays are the caller's
+/// @param[in,out] draw  value, load_pattern, micromodulus and the field's xi are set; its arrays are the caller's
 void pdmc_draw_complete(const pdmc_problem *problem, const pdmc_affine *model, pdmc_draw *draw);
 
 /// The sample at which every quantity has its nominal value, and every function its mean.

@@ -3,15 +3,28 @@
 
 #include "base/base_impl.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 
 static const pdmc_stream streams[PDMC_QUANTITIES] = {
     [PDMC_QUANTITY_MICROMODULUS] = PDMC_STREAM_MICROMODULUS,
     [PDMC_QUANTITY_STIFFNESS] = PDMC_STREAM_FIELD,
+    [PDMC_QUANTITY_LOAD_NOISE_LEFT] = PDMC_STREAM_LOAD_NOISE + PDMC_SIDE_LEFT,
+    [PDMC_QUANTITY_LOAD_NOISE_RIGHT] = PDMC_STREAM_LOAD_NOISE + PDMC_SIDE_RIGHT,
+    [PDMC_QUANTITY_LOAD_NOISE_BOTTOM] = PDMC_STREAM_LOAD_NOISE + PDMC_SIDE_BOTTOM,
+    [PDMC_QUANTITY_LOAD_NOISE_TOP] = PDMC_STREAM_LOAD_NOISE + PDMC_SIDE_TOP,
     [PDMC_QUANTITY_LOAD] = PDMC_STREAM_LOAD,
     [PDMC_QUANTITY_YOUNGS_MODULUS] = PDMC_STREAM_YOUNGS_MODULUS,
     [PDMC_QUANTITY_FRACTURE_ENERGY] = PDMC_STREAM_FRACTURE_ENERGY,
     [PDMC_QUANTITY_THICKNESS] = PDMC_STREAM_THICKNESS,
+    [PDMC_QUANTITY_LOAD_LEFT] = PDMC_STREAM_LOAD_SIDE + PDMC_SIDE_LEFT,
+    [PDMC_QUANTITY_LOAD_RIGHT] = PDMC_STREAM_LOAD_SIDE + PDMC_SIDE_RIGHT,
+    [PDMC_QUANTITY_LOAD_BOTTOM] = PDMC_STREAM_LOAD_SIDE + PDMC_SIDE_BOTTOM,
+    [PDMC_QUANTITY_LOAD_TOP] = PDMC_STREAM_LOAD_SIDE + PDMC_SIDE_TOP,
+    [PDMC_QUANTITY_LOAD_DIRECTION_LEFT] = PDMC_STREAM_LOAD_DIRECTION + PDMC_SIDE_LEFT,
+    [PDMC_QUANTITY_LOAD_DIRECTION_RIGHT] = PDMC_STREAM_LOAD_DIRECTION + PDMC_SIDE_RIGHT,
+    [PDMC_QUANTITY_LOAD_DIRECTION_BOTTOM] = PDMC_STREAM_LOAD_DIRECTION + PDMC_SIDE_BOTTOM,
+    [PDMC_QUANTITY_LOAD_DIRECTION_TOP] = PDMC_STREAM_LOAD_DIRECTION + PDMC_SIDE_TOP,
     [PDMC_QUANTITY_CRACK_LENGTH] = PDMC_STREAM_CRACK_LENGTH,
     [PDMC_QUANTITY_CRACK_ANGLE] = PDMC_STREAM_CRACK_ANGLE,
     [PDMC_QUANTITY_CRACK_X] = PDMC_STREAM_CRACK_X,
@@ -25,6 +38,10 @@ static int count_of(const pdmc_affine *model, const pdmc_uncertainty *uncertaint
         return uncertainty->model == PDMC_RADIAL_PROCESS && uncertainty->modes < model->bins ? uncertainty->modes
                                                                                              : model->bins;
     case PDMC_QUANTITY_STIFFNESS: return model->field ? pdmc_field_modes(model->field) : 0;
+    case PDMC_QUANTITY_LOAD_NOISE_LEFT:
+    case PDMC_QUANTITY_LOAD_NOISE_RIGHT:
+    case PDMC_QUANTITY_LOAD_NOISE_BOTTOM:
+    case PDMC_QUANTITY_LOAD_NOISE_TOP: return uncertainty->modes;
     default: return 1;
     }
 }
@@ -58,11 +75,15 @@ pdmc_status pdmc_variables_create(const pdmc_problem *problem, const pdmc_affine
     double correlation[PDMC_SCALARS * PDMC_SCALARS];
     *out = (pdmc_variables){.problem = problem, .model = model};
     for (int q = PDMC_FIRST_SCALAR; q < PDMC_QUANTITIES; q++) add_group(out, (pdmc_quantity)q);
+    for (int side = 0; side < PDMC_SIDES; side++)
+        add_group(out, (pdmc_quantity)(PDMC_QUANTITY_LOAD_NOISE_LEFT + side));
     add_group(out, PDMC_QUANTITY_STIFFNESS);
     add_group(out, PDMC_QUANTITY_MICROMODULUS);
     pdmc_problem_correlation(problem, correlation);
     PDMC_TRY(pdmc_copula_factor(PDMC_SCALARS, correlation, out->copula));
     PDMC_TRY(correlate_radius(out));
+    PDMC_NEW(out->load_case, pdmc_load_case_count(problem));
+    pdmc_load_case_list(problem, out->load_case);
     if (problem->sampling.design != PDMC_DESIGN_MONTE_CARLO && out->count > 0)
         PDMC_TRY(pdmc_design_create(problem->sampling.design, problem->sampling.seed, (size_t)out->count,
                                     (uint64_t)problem->sampling.samples, (uint64_t)problem->sampling.replicates,
@@ -75,6 +96,7 @@ done:
 void pdmc_variables_clear(pdmc_variables *variables)
 {
     pdmc_free(variables->radial_factor);
+    pdmc_free(variables->load_case);
     pdmc_design_destroy(&variables->design);
     *variables = (pdmc_variables){0};
 }
@@ -149,6 +171,23 @@ static void draw_micromodulus(const pdmc_variables *v, const double z[], double 
     }
 }
 
+static double scalar_of_side(const pdmc_draw *draw, pdmc_quantity first, pdmc_side side)
+{
+    return draw->value[(int)first + (int)side - PDMC_FIRST_SCALAR];
+}
+
+static double draw_load(const pdmc_variables *v, const pdmc_load_case *load, const double z[], const pdmc_draw *draw)
+{
+    if (load->kind == PDMC_LOAD_GIVEN) return 1.0;
+    const double factor = scalar_of_side(draw, PDMC_QUANTITY_LOAD_LEFT, load->side);
+    const double turn = M_PI / 180.0 * scalar_of_side(draw, PDMC_QUANTITY_LOAD_DIRECTION_LEFT, load->side);
+    if (load->kind == PDMC_LOAD_SIDE) return factor * cos(turn) - 1.0;
+    if (load->kind == PDMC_LOAD_TURNED) return factor * sin(turn);
+    const pdmc_variable_group *noise =
+        pdmc_variables_group(v, (pdmc_quantity)(PDMC_QUANTITY_LOAD_NOISE_LEFT + (int)load->side));
+    return factor * z[noise->first + load->mode];
+}
+
 // The field's coefficients of all points at once, which is what makes a lognormal one cheap.
 static pdmc_status draw_field(const pdmc_variables *v, int count, const double z[], pdmc_draw draw[])
 {
@@ -177,6 +216,8 @@ pdmc_status pdmc_variables_draw(const pdmc_variables *variables, int count, cons
         const double *point = &z[s * variables->count];
         draw_scalars(variables, point, &draw[s]);
         draw_micromodulus(variables, point, draw[s].micromodulus);
+        for (int l = 1; l < variables->model->cases; l++)
+            draw[s].load_pattern[l] = draw_load(variables, &variables->load_case[l - 1], point, &draw[s]);
         pdmc_draw_complete(variables->problem, variables->model, &draw[s]);
     }
     return status;

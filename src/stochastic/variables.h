@@ -2,6 +2,7 @@
 #pragma once
 
 #include "pdmc/design.h"
+#include "pdmc/load_cases.h"
 #include "pdmc/random.h"
 #include "stochastic/draw.h"
 
@@ -20,6 +21,7 @@ typedef struct {
     pdmc_variable_group groups[PDMC_QUANTITIES];
     double copula[PDMC_SCALARS * PDMC_SCALARS]; // the factor of pdmc_copula_factor()
     double *radial_factor;                      // [bins, modes] of a radial process; NULL for noise
+    pdmc_load_case *load_case;                  // [pdmc_load_case_count()]
     pdmc_design *design;                        // NULL for plain Monte Carlo
 } pdmc_variables;
 

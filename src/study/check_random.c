@@ -2,6 +2,7 @@
 #include "study/study_impl.h"
 
 #include "base/base_impl.h"
+#include "pdmc/load_cases.h"
 
 #include <gsl/gsl_cdf.h>
 #include <math.h>
@@ -28,7 +29,7 @@ static void warn_of_negative_bins(const pdmc_study_reader *reader, int index)
 static pdmc_status check_covariance(const pdmc_study_reader *reader, int index)
 {
     const pdmc_uncertainty *u = &reader->problem->uncertainties[index];
-    const bool needs = u->quantity == PDMC_QUANTITY_STIFFNESS || u->model == PDMC_RADIAL_PROCESS;
+    const bool needs = u->quantity != PDMC_QUANTITY_MICROMODULUS || u->model == PDMC_RADIAL_PROCESS;
     const bool has_smoothness = needs && u->covariance.kind == PDMC_COVARIANCE_MATERN;
     if (needs && !u->has_length)
         return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "correlation_length"},
@@ -57,7 +58,7 @@ static pdmc_status check_stiffness(const pdmc_study_reader *reader, int index)
                              "crack_model = \"analytic\"");
 }
 
-// c(r) and the stiffness: functions with a variation at every point.
+// c(r), the stiffness, and noise along a side: functions with a variation at every point.
 static pdmc_status check_function(const pdmc_study_reader *reader, int index)
 {
     pdmc_uncertainty *u = &reader->problem->uncertainties[index];
@@ -72,12 +73,33 @@ static pdmc_status check_function(const pdmc_study_reader *reader, int index)
     return status == PDMC_OK ? check_covariance(reader, index) : status;
 }
 
+// What a random load of one side asks of the plate; shorter waves than the method's points have it cannot see.
+static pdmc_status check_load(const pdmc_study_reader *reader, int index)
+{
+    const pdmc_problem *p = reader->problem;
+    const pdmc_uncertainty *u = &p->uncertainties[index];
+    const pdmc_study_address at = {SECTION_RANDOM, index, "quantity"};
+    const pdmc_status status = pdmc_problem_check_random_load(p, u->quantity);
+    if (status == PDMC_ERR_CONFIG) return pdmc_study_refuse(reader, at, "%s", pdmc_last_error());
+    if (status != PDMC_OK) return status;
+    if (pdmc_is_of_sides(u->quantity, PDMC_QUANTITY_LOAD_NOISE_LEFT) && u->covariance.length < p->solver.spacing)
+        pdmc_study_warn(reader, (pdmc_study_address){SECTION_RANDOM, index, "correlation_length"},
+                        "%g is below the spacing %g, in which the load is constant: noise that is shorter counts too much",
+                        u->covariance.length, p->solver.spacing);
+    return PDMC_OK;
+}
+
 // What must be positive is seldom otherwise.
+static bool may_be_negative(pdmc_quantity quantity)
+{
+    return quantity == PDMC_QUANTITY_LOAD || quantity >= PDMC_QUANTITY_LOAD_LEFT; // all of loads and of cracks
+}
+
 static void warn_of_negative_values(const pdmc_study_reader *reader, int index)
 {
     const pdmc_uncertainty *u = &reader->problem->uncertainties[index];
     const double harmless = 1e-6, probability = pdmc_distribution_lower_tail(&u->law, 0.0);
-    if (u->quantity == PDMC_QUANTITY_LOAD || u->quantity >= PDMC_FIRST_OF_CRACK || probability <= harmless) return;
+    if (may_be_negative(u->quantity) || probability <= harmless) return;
     pdmc_study_warn(reader, (pdmc_study_address){SECTION_RANDOM, index, "distribution"},
                     "has values that are not positive with probability %.3g", probability);
 }
@@ -152,6 +174,7 @@ pdmc_status pdmc_study_check_random(const pdmc_study_reader *reader)
                                          "there already, must be once for each quantity");
         PDMC_TRY(is_scalar ? pdmc_study_make_law(reader, i) : check_function(reader, i));
         if (is_scalar) warn_of_negative_values(reader, i);
+        PDMC_TRY(check_load(reader, i));
         if (p->uncertainties[i].quantity >= PDMC_FIRST_OF_CRACK) PDMC_TRY(check_crack(reader, i));
     }
 done:
@@ -209,6 +232,10 @@ static pdmc_status check_inverse(const pdmc_study_reader *reader)
                                  "\"%s\" needs a symmetric matrix, as of method = \"bond\" or of a random stiffness, "
                                  "must be \"direct\" or \"neumann\"",
                                  is_reduced ? "reduced" : "krylov");
+    if (is_reduced && pdmc_load_case_count(p) > 1)
+        return pdmc_study_refuse(reader, at,
+                                 "\"reduced\" has one factor for all loads yet, must be \"direct\", \"neumann\" or "
+                                 "\"krylov\" with loads of one side");
     if (is_reduced && pdmc_problem_moves_sides(p))
         return pdmc_study_refuse(reader, at,
                                  "\"reduced\" has no prescribed displacements but 0 yet, must be "

@@ -55,7 +55,9 @@
 
 #define MICROMODULUS ONLY(PDMC_QUANTITY_MICROMODULUS)
 #define STIFFNESS ONLY(PDMC_QUANTITY_STIFFNESS)
-#define SCALAR (~(MICROMODULUS | STIFFNESS))
+#define NOISE (15U * ONLY(PDMC_QUANTITY_LOAD_NOISE_LEFT)) // of the four sides
+#define FUNCTION (MICROMODULUS | STIFFNESS | NOISE)
+#define SCALAR (~FUNCTION)
 #define OF_CRACK (~(ONLY(PDMC_FIRST_OF_CRACK) - 1U))
 #define OF_LAW(key, id, allowed, text)                                                                                 \
     {SECTION_RANDOM, key, KIND_OPTIONAL, .range = allowed, .offset = offsetof(pdmc_uncertainty, given.value[id]),       \
@@ -137,8 +139,10 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define SIDES CHOICES("left", "right", "bottom", "top")
 #define FACES CHOICES("none", "left", "right")
 #define QUANTITIES                                                                                                     \
-    CHOICES("micromodulus", "stiffness", "load", "youngs_modulus", "fracture_energy", "thickness", "crack_length",         \
-            "crack_angle", "crack_x", "crack_y")
+    CHOICES("micromodulus", "stiffness", "load_noise_left", "load_noise_right", "load_noise_bottom", "load_noise_top",     \
+            "load", "youngs_modulus", "fracture_energy", "thickness", "load_left", "load_right", "load_bottom",            \
+            "load_top", "load_direction_left", "load_direction_right", "load_direction_bottom", "load_direction_top",      \
+            "crack_length", "crack_angle", "crack_x", "crack_y")
 #define RADIAL_MODELS CHOICES("radial_noise", "radial_process")
 #define COVARIANCES CHOICES("exponential", "gaussian", "matern")
 #define DISTRIBUTIONS                                                                                                  \
@@ -271,7 +275,9 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .doc = "of a point on a crack: the face left or right of from -> to"},
 
     {SECTION_RANDOM, "quantity", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, quantity), .choices = QUANTITIES,
-     .doc = "what is uncertain, each quantity once; the load is one factor on all tractions, stiffness a field in space; "
+     .doc = "what is uncertain, each quantity once; the load is one factor on all tractions, load_top one on that of a side, "
+            "load_direction_top turns that by degrees, counter-clockwise, load_noise_top is a normal process along the side by "
+            "which it varies; stiffness is a field in space; "
             "a crack is as long as crack_length, turned about its middle by crack_angle in degrees, and shifted by crack_x "
             "and crack_y: every sample is then discretised anew"},
     {SECTION_RANDOM, "crack", KIND_CRACK, .offset = offsetof(pdmc_uncertainty, crack), .quantities = OF_CRACK,
@@ -286,17 +292,17 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .choices = DISTRIBUTIONS, .quantities = SCALAR | STIFFNESS, .fallback = "normal",
      .doc = "of the quantity; of a stiffness normal or lognormal at every point"},
     {SECTION_RANDOM, "covariance", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, covariance.kind),
-     .choices = COVARIANCES, .quantities = MICROMODULUS | STIFFNESS, .fallback = "exponential",
-     .doc = "exp(-r/l), exp(-r^2/l^2), or Matern's, of a field or a radial process"},
+     .choices = COVARIANCES, .quantities = FUNCTION, .fallback = "exponential",
+     .doc = "exp(-r/l), exp(-r^2/l^2), or Matern's, of a field, of noise along a side, or of a radial process"},
     {SECTION_RANDOM, "correlation_length", KIND_OPTIONAL, UNIT_LENGTH, POSITIVE,
      offsetof(pdmc_uncertainty, covariance.length), offsetof(pdmc_uncertainty, has_length),
-     .quantities = MICROMODULUS | STIFFNESS, .fallback = "none", .doc = "l of the covariance"},
+     .quantities = FUNCTION, .fallback = "none", .doc = "l of the covariance"},
     {SECTION_RANDOM, "smoothness", KIND_OPTIONAL, .range = FROM_TO(0.05, 20.0),
      .offset = offsetof(pdmc_uncertainty, covariance.smoothness), .flag = offsetof(pdmc_uncertainty, has_smoothness),
-     .quantities = MICROMODULUS | STIFFNESS, .fallback = "none", .doc = "nu of Matern's covariance"},
+     .quantities = FUNCTION, .fallback = "none", .doc = "nu of Matern's covariance"},
     {SECTION_RANDOM, "modes", KIND_INT, .range = FROM_TO(1, 2000), .offset = offsetof(pdmc_uncertainty, modes),
-     .quantities = MICROMODULUS | STIFFNESS, .fallback = "50",
-     .doc = "normal variables of the expansion of a field or a radial process"},
+     .quantities = FUNCTION, .fallback = "50",
+     .doc = "normal variables of the expansion of a field, of noise along a side, or of a radial process"},
     {SECTION_RANDOM, "variation", KIND_OPTIONAL, .range = NOT_NEGATIVE,
      .offset = offsetof(pdmc_uncertainty, given.value[PDMC_PARAMETER_VARIATION]),
      .flag = offsetof(pdmc_uncertainty, given.has[PDMC_PARAMETER_VARIATION]),

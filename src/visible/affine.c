@@ -50,9 +50,10 @@ static pdmc_status solve(const pdmc_affine *model, const double xi[], const doub
     const response_model *made = model->discretisation;
     const pdmc_visible *visible = made->visible;
     pdmc_factor factor = {0};
+    const int n = visible->unknowns;
     double *load = NULL;
-    PDMC_NEW(load, visible->unknowns);
-    for (int l = 0; l < 2; l++) cblas_daxpy(visible->unknowns, scale[l], visible->load[l], 1, load, 1);
+    PDMC_NEW(load, n);
+    for (int l = 0; l < visible->cases; l++) cblas_daxpy(n, scale[l], &visible->load[l * n], 1, load, 1);
     PDMC_TRY(pdmc_visible_factor(visible, xi, &factor));
     PDMC_TRY(pdmc_visible_solve(visible, &factor, load, load));
     project(made, load, x);
@@ -85,13 +86,13 @@ static pdmc_status find_response(const pdmc_visible *visible, const pdmc_affine 
                                  response_model *made)
 {
     pdmc_status status = PDMC_OK;
-    const int n = visible->unknowns;
+    const int n = visible->unknowns, cases = visible->cases;
     double *start = NULL;
-    PDMC_NEW(start, 2 * n);
-    for (int l = 0; l < 2; l++) memcpy(&start[l * n], visible->solution[l], (size_t)n * sizeof *start);
-    const double norm = cblas_dnrm2(n, visible->solution[0], 1) + cblas_dnrm2(n, visible->solution[1], 1);
+    PDMC_NEW(start, cases * n);
+    memcpy(start, visible->solution, (size_t)(cases * n) * sizeof *start);
+    const double norm = cblas_dnrm2(n, start, 1) + cblas_dnrm2(n, start + n, 1);
     const pdmc_response_operator operator= {n, model->terms, size, norm, tolerance, apply, (void *)visible};
-    PDMC_TRY(pdmc_response_create(&operator, 2, start, &made->response));
+    PDMC_TRY(pdmc_response_create(&operator, cases, start, &made->response));
     const int r = made->response.dimension;
     PDMC_NEW(made->field, (size_t)r * (size_t)n);
     for (int k = 0; k < r; k++) cblas_dcopy(n, &made->response.basis[(size_t)k * (size_t)n], 1, &made->field[k], r);
@@ -117,9 +118,10 @@ static pdmc_status create_model(const pdmc_visible *visible, pdmc_affine *model)
     pdmc_radial_sizes(model, noise ? noise->variation : 0.0, size);
     PDMC_TRY(find_response(visible, model, size, made));
     model->unknowns = made->response.dimension;
-    model->cases = 2;
-    PDMC_NEW(model->solution, 2 * model->unknowns);
-    for (int l = 0; l < 2; l++) project(made, visible->solution[l], &model->solution[l * model->unknowns]);
+    model->cases = visible->cases;
+    PDMC_NEW(model->solution, model->cases * model->unknowns);
+    for (int l = 0; l < model->cases; l++)
+        project(made, &visible->solution[l * visible->unknowns], &model->solution[l * model->unknowns]);
 done:
     return status;
 }

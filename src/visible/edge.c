@@ -15,14 +15,6 @@ static const pdmc_support *support_of(const pdmc_problem *problem, int side, int
     return NULL;
 }
 
-static double traction_on(const pdmc_problem *problem, int side, int component)
-{
-    double sum = 0.0;
-    for (int l = 0; l < problem->load_count; l++)
-        if ((int)problem->loads[l].side == side) sum += problem->loads[l].traction[component];
-    return sum;
-}
-
 static void outward(int side, double normal[2])
 {
     normal[0] = side == PDMC_SIDE_LEFT ? -1.0 : side == PDMC_SIDE_RIGHT ? 1.0 : 0.0;
@@ -188,8 +180,7 @@ static void edge_component(const pdmc_visible *visible, int ghost, int component
     }
 }
 
-pdmc_status pdmc_visible_edge_row(const pdmc_visible *visible, int ghost, pdmc_block_row *row, double held[2],
-                                  double load[2])
+pdmc_status pdmc_visible_edge_row(const pdmc_visible *visible, int ghost, pdmc_block_row *row, double held[2])
 {
     pdmc_status status = PDMC_OK;
     const pdmc_visible_node *node = &visible->nodes.node[ghost];
@@ -202,12 +193,19 @@ pdmc_status pdmc_visible_edge_row(const pdmc_visible *visible, int ghost, pdmc_b
     for (int component = 0; component < 2; component++) {
         const pdmc_support *support = support_of(visible->problem, node->edge, component);
         held[component] = support ? stiffness * support->displacement[component] : 0.0;
-        load[component] = support ? 0.0 : traction_on(visible->problem, node->edge, component);
         edge_component(visible, ghost, component, g, row);
     }
 done:
     pdmc_free(g);
     return status;
+}
+
+void pdmc_visible_edge_load(const pdmc_visible *visible, int ghost, int index, double load[2])
+{
+    const pdmc_visible_node *node = &visible->nodes.node[ghost];
+    pdmc_load_traction(&visible->loads, index, (pdmc_side)node->edge, node->foot, load);
+    for (int k = 0; k < 2; k++)
+        if (support_of(visible->problem, node->edge, k)) load[k] = 0.0;
 }
 
 static void set_block(pdmc_block_row *row, int k, int column, double value)

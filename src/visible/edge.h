@@ -16,11 +16,14 @@
 /// The equations of a ghost next to a side: the side's tractions, or displacements times E / h where they are held.
 /// Tractions scale with the effective modulus, to which each plane has its share. The derivative along d is
 /// (2 u_1 + 3 u_0 - 6 u_-1 + u_-2) / 6, of the ghost, the foot and two places inside the plate.
-/// @param[out] row         free with pdmc_block_row_clear()
-/// @param[out] held, load  [2] right-hand sides
+/// @param[out] row   free with pdmc_block_row_clear()
+/// @param[out] held  [2] right-hand sides of prescribed displacements, 0 where the side is free
 /// @return PDMC_OK, PDMC_ERR_SINGULAR, PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
 PDMC_NODISCARD pdmc_status pdmc_visible_edge_row(const pdmc_visible *visible, int ghost, pdmc_block_row *row,
-                                                 double held[2], double load[2]);
+                                                 double held[2]);
+
+/// The right-hand sides of the same equations for a case of the loads, 0 where the side is held.
+void pdmc_visible_edge_load(const pdmc_visible *visible, int ghost, int index, double load[2]);
 
 /// The equations of a ghost farther out, as above, times E / h; linear from the foot on where a crack hides the place
 /// inside.

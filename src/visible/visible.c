@@ -24,10 +24,10 @@ static pdmc_status prepare(pdmc_visible *visible)
     if (!visible->data.outside) PDMC_TRY(pdmc_problem_free_motions(problem, &visible->motions, visible->motion));
     PDMC_NEW(visible->stencils, visible->nodes.count);
     PDMC_NEW(visible->rows, visible->nodes.count);
-    for (int l = 0; l < 2; l++) {
-        PDMC_NEW(visible->load[l], visible->unknowns);
-        PDMC_NEW(visible->solution[l], visible->unknowns);
-    }
+    PDMC_TRY(pdmc_load_cases_create(problem, &visible->loads));
+    visible->cases = 1 + visible->loads.count;
+    PDMC_NEW(visible->load, visible->cases * visible->unknowns);
+    PDMC_NEW(visible->solution, visible->cases * visible->unknowns);
     PDMC_NEW(visible->mean, visible->unknowns);
 done:
     return status;
@@ -49,10 +49,14 @@ static pdmc_status make_stencils(pdmc_visible *visible)
 
 static pdmc_status make_row(pdmc_visible *visible, pdmc_disc_sum *sum, int i)
 {
-    double *held = &visible->load[0][2 * i], *load = &visible->load[1][2 * i];
+    double *held = &visible->load[2 * i];
     const int ring = visible->nodes.node[i].ring;
     if (ring > 1) return pdmc_visible_extension_row(visible, i, &visible->rows[i]);
-    if (ring == 1) return pdmc_visible_edge_row(visible, i, &visible->rows[i], held, load);
+    if (ring == 1) {
+        for (int l = 1; l < visible->cases; l++)
+            pdmc_visible_edge_load(visible, i, l - 1, &visible->load[l * visible->unknowns + 2 * i]);
+        return pdmc_visible_edge_row(visible, i, &visible->rows[i], held);
+    }
     return pdmc_visible_force_row(sum, i, &visible->rows[i], held);
 }
 
@@ -78,14 +82,15 @@ static pdmc_status make_rows(pdmc_visible *visible)
 static pdmc_status solve_mean(pdmc_visible *visible)
 {
     pdmc_status status = PDMC_OK;
+    const int n = visible->unknowns;
     double *product = NULL;
-    PDMC_NEW(product, visible->unknowns);
-    for (int l = 0; l < 2; l++)
-        PDMC_TRY(pdmc_visible_solve(visible, &visible->factor, visible->load[l], visible->solution[l]));
-    for (int i = 0; i < visible->unknowns; i++) visible->mean[i] = visible->solution[0][i] + visible->solution[1][i];
+    PDMC_NEW(product, n);
+    for (int l = 0; l < visible->cases; l++)
+        PDMC_TRY(pdmc_visible_solve(visible, &visible->factor, &visible->load[l * n], &visible->solution[l * n]));
+    for (int i = 0; i < n; i++) visible->mean[i] = visible->solution[i] + visible->solution[n + i];
     pdmc_visible_product(visible, 0, visible->mean, product);
-    for (int i = 0; i < visible->unknowns; i++)
-        visible->residual = fmax(visible->residual, fabs(product[i] - visible->load[0][i] - visible->load[1][i]));
+    for (int i = 0; i < n; i++)
+        visible->residual = fmax(visible->residual, fabs(product[i] - visible->load[i] - visible->load[n + i]));
 done:
     pdmc_free(product);
     return status;
@@ -131,10 +136,9 @@ void pdmc_visible_destroy(pdmc_visible **visible)
     }
     pdmc_free(old->stencils);
     pdmc_free(old->rows);
-    for (int l = 0; l < 2; l++) {
-        pdmc_free(old->load[l]);
-        pdmc_free(old->solution[l]);
-    }
+    pdmc_load_cases_clear(&old->loads);
+    pdmc_free(old->load);
+    pdmc_free(old->solution);
     pdmc_free(old->mean);
     pdmc_factor_clear(&old->factor);
     pdmc_visible_nodes_clear(&old->nodes);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "pdmc/load_cases.h"
 #include "visible/disc.h"
 #include "visible/factor.h"
 #include "visible/stencil.h"
@@ -30,8 +31,10 @@ struct pdmc_visible {
     double motion[3][3];
     int unknowns;        // 2 nodes
     pdmc_factor factor;  // of K_0
-    double *load[2];     // [unknowns] F_0 of held displacements, F_1 of loads
-    double *solution[2]; // [unknowns] K_0^-1 F
+    pdmc_load_cases loads;
+    int cases;           // 1 + those of the loads
+    double *load;        // [cases, unknowns] F_l
+    double *solution;    // [cases, unknowns] K_0^-1 F_l
     double *mean;        // [unknowns] their sum
     double residual;
     double assembly_seconds, factorisation_seconds;

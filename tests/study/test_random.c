@@ -163,6 +163,74 @@ static void fields_and_processes(void **state)
     EXPECT_REFUSALS(mistakes);
 }
 
+#define ONE(settings) "random = ( { " settings " } );"
+
+// A plate that is held at the bottom and loaded at the top.
+static pdmc_status read_held(const char *support, const char *random, pdmc_study *study)
+{
+    char text[1024];
+    snprintf(text, sizeof text,
+             "plate = { width = 6.0; height = 4.0; }; material = { youngs_modulus = 2.0; fracture_energy = 0.5; };\n"
+             "cracks = ( { name = \"a\"; from = [-0.5, 0.0]; to = [0.5, 0.0]; } );\n"
+             "loads = ( { side = \"top\"; traction = [0, 1]; } ); supports = ( { side = \"bottom\"; %s } );\n%s",
+             support, random);
+    return read_text(text, study);
+}
+
+static void expect_held(int line, const char *support, const char *random, const char *refusal)
+{
+    pdmc_study study;
+    char message[512];
+    CHECK_STATUS(read_held(support, random, &study), PDMC_ERR_CONFIG);
+    snprintf(message, sizeof message, "study.cfg:%d: %s", line, refusal);
+    assert_string_equal(pdmc_last_error(), message);
+}
+
+// Loads of one side.
+static void loads_of_a_side(void **state)
+{
+    (void)state;
+    static const char *const free_plate[][2] = {
+        {ONE("quantity = \"load_top\";"),
+         "random[0].quantity: changes the load of one side of a plate that is free to follow, so that samples are not in "
+         "equilibrium; hold the plate by supports"},
+        {ONE("quantity = \"load_left\";"),
+         "random[0].quantity: is of a side without a load, must be of one that has a traction"},
+        {ONE("quantity = \"load_direction_top\";"),
+         "random[0].distribution: has the mean 0, of which there is no variation, must have location and scale"},
+        {ONE("quantity = \"load_noise_top\";"), "random[0].correlation_length: is missing, must be a real > 0"},
+        {ONE("quantity = \"load_noise_top\"; correlation_length = 1; distribution = \"normal\";"),
+         "random[0].distribution: is no setting of the quantity \"load_noise_top\""},
+        {ONE("quantity = \"load_top\"; modes = 3;"), "random[0].modes: is no setting of the quantity \"load_top\""},
+    };
+    EXPECT_REFUSALS(free_plate);
+    const char *noise = ONE("quantity = \"load_noise_top\"; correlation_length = 2; variation = 0.1; modes = 7;");
+    const char *both = "random = ( { quantity = \"load_noise_top\"; correlation_length = 2; },\n"
+                       "{ quantity = \"load_direction_top\"; location = 0; scale = 5; } );";
+    const char *turned = ONE("quantity = \"load_direction_top\"; location = 0; scale = 5;");
+    expect_held(5, "x = 0; y = 0;", both,
+                "random[1].quantity: turns a load that has noise along its side, one of the two must go");
+    expect_held(4, "y = 0;", turned,
+                "random[0].quantity: changes the load of one side of a plate that is free to follow, so that samples are not in "
+                "equilibrium; hold the plate by supports");
+    pdmc_study study;
+    CHECK_OK(read_held("y = 0;", noise, &study));
+    const pdmc_uncertainty *u = pdmc_problem_uncertainty(&study.problem, PDMC_QUANTITY_LOAD_NOISE_TOP);
+    assert_int_equal(u->modes, 7);
+    CHECK_NEAR(u->variation, 0.1, 0.0);
+    CHECK_NEAR(u->covariance.length, 2.0, 0.0);
+    assert_string_equal(study.warnings, "");
+    pdmc_study_clear(&study);
+    CHECK_OK(read_held("x = 0; y = 0;", turned, &study));
+    pdmc_study_clear(&study);
+    CHECK_OK(read_held("y = 0;", ONE("quantity = \"load_noise_top\"; correlation_length = 0.001;"), &study));
+    assert_non_null(strstr(study.warnings, "random[0].correlation_length: 0.001 is below the spacing"));
+    pdmc_study_clear(&study);
+    CHECK_OK(read_held("y = 0;", ONE("quantity = \"load_top\"; variation = 0.9;"), &study)); // of any sign
+    assert_string_equal(study.warnings, "");
+    pdmc_study_clear(&study);
+}
+
 #define PAIR "random = ( { quantity = \"load\"; }, { quantity = \"thickness\"; } ); "
 
 static void correlations_of_what_is_not_there(void **state)
@@ -250,6 +318,7 @@ int main(void)
         cmocka_unit_test(means_are_those_of_plate_and_material),
         cmocka_unit_test(parameters_that_make_no_distribution),
         cmocka_unit_test(fields_and_processes),
+        cmocka_unit_test(loads_of_a_side),
         cmocka_unit_test(correlations_of_what_is_not_there),
         cmocka_unit_test(designs_and_rare_events),
         cmocka_unit_test(values_that_are_not_positive),

@@ -4,6 +4,13 @@
 
 #include "study/folder.h"
 
+#define SIDES(quantity)                                                                                                \
+    "\"" quantity "_left\", \"" quantity "_right\", \"" quantity "_bottom\", \"" quantity "_top\", "
+#define QUANTITIES                                                                                                     \
+    "\"micromodulus\", \"stiffness\", " SIDES("load_noise") "\"load\", \"youngs_modulus\", \"fracture_energy\", "         \
+    "\"thickness\", " SIDES("load") SIDES("load_direction") "\"crack_length\", \"crack_angle\", \"crack_x\" or "            \
+    "\"crack_y\""
+
 typedef struct {
     int line; // which is replaced
     const char *text, *message;
@@ -55,9 +62,7 @@ static void missing_settings(void **state)
         {LINE_LOADS, "loads = ( { side = \"top\"; } );",
          "study.cfg:5: loads[0].traction: is missing, must be two reals [x, y], each finite"},
         {LINE_RANDOM, "random = ( { variation = 0.1; } );",
-         "study.cfg:8: random[0].quantity: is missing, must be \"micromodulus\", \"stiffness\", \"load\", "
-         "\"youngs_modulus\", \"fracture_energy\", \"thickness\", \"crack_length\", \"crack_angle\", \"crack_x\" or "
-         "\"crack_y\""},
+         "study.cfg:8: random[0].quantity: is missing, must be " QUANTITIES},
     };
     EXPECT(mistakes);
 }
@@ -184,9 +189,7 @@ static void uncertain_quantities(void **state)
     (void)state;
     const mistake mistakes[] = {
         {LINE_RANDOM, "random = ( { quantity = \"modulus\"; } );",
-         "study.cfg:8: random[0].quantity: \"modulus\" is not allowed, must be \"micromodulus\", \"stiffness\", \"load\", "
-         "\"youngs_modulus\", \"fracture_energy\", \"thickness\", \"crack_length\", \"crack_angle\", \"crack_x\" or "
-         "\"crack_y\""},
+         "study.cfg:8: random[0].quantity: \"modulus\" is not allowed, must be " QUANTITIES},
         {LINE_RANDOM, "random = ( { quantity = \"load\"; bins = 3; } );",
          "study.cfg:8: random[0].bins: is no setting of the quantity \"load\""},
         {LINE_RANDOM, "random = ( { quantity = \"load\"; model = \"radial_noise\"; } );",
