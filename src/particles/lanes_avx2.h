@@ -89,6 +89,11 @@ static inline lanes greatest_where(uint8_t mask, lanes a, lanes b)
     const lanes greater = {_mm256_max_pd(b.low, a.low), _mm256_max_pd(b.high, a.high)};
     return choose_lanes(mask, greater, a);
 }
+static inline lanes least_where(uint8_t mask, lanes a, lanes b)
+{
+    const lanes lesser = {_mm256_min_pd(b.low, a.low), _mm256_min_pd(b.high, a.high)};
+    return choose_lanes(mask, lesser, a);
+}
 static inline void store_where(uint8_t mask, double *p, lanes a)
 {
     _mm256_maskstore_pd(p, mask_of(mask), a.low);

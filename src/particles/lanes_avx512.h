@@ -62,6 +62,10 @@ static inline lanes greatest_where(uint8_t mask, lanes a, lanes b)
 {
     return _mm512_mask_max_pd(a, mask, b, a);
 }
+static inline lanes least_where(uint8_t mask, lanes a, lanes b)
+{
+    return _mm512_mask_min_pd(a, mask, b, a);
+}
 static inline void store_where(uint8_t mask, double *p, lanes a)
 {
     _mm512_mask_storeu_pd(p, mask, a);

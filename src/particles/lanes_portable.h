@@ -70,6 +70,11 @@ static inline lanes greatest_where(uint8_t mask, lanes a, lanes b)
     EACH((mask >> k & 1) && b.at[k] > a.at[k] ? b.at[k] : a.at[k]);
 }
 
+static inline lanes least_where(uint8_t mask, lanes a, lanes b)
+{
+    EACH((mask >> k & 1) && b.at[k] < a.at[k] ? b.at[k] : a.at[k]);
+}
+
 static inline void store_where(uint8_t mask, double *p, lanes a)
 {
     for (int k = 0; k < 8; k++)

@@ -81,6 +81,7 @@ static pdmc_status find_neighbours(const pdmc_particles_options *options, pdmc_l
     const double longest = pdmc_lattice_reach(options);
     const int reach = (int)floor(longest / h), layers = g->dimension < 3 ? 0 : reach;
     const int width = 2 * reach + 1;
+    g->touching = INFINITY;
     PDMC_NEW(g->neighbours, width * width * (2 * layers + 1));
     for (int z = -layers; z <= layers; z++) {
         for (int y = -reach; y <= reach; y++) {
@@ -88,14 +89,16 @@ static pdmc_status find_neighbours(const pdmc_particles_options *options, pdmc_l
                 const double length = h * sqrt((double)(x * x + y * y + z * z));
                 if (length == 0.0 || length > longest) continue;
                 const double weight = g->volume * counted_share(options->volume_rule, length, horizon, h);
-                const double touching = fmin(0.9 * length, options->contact_distance * h);
+                const double distance = fmin(0.9 * length, options->contact_distance * h);
+                const double touching = distance > 0.0 ? 1.0 / distance : INFINITY;
+                g->touching = fmin(g->touching, length * touching);
                 g->neighbours[g->neighbour_count++] = (pdmc_neighbour){
                     .shift = x + y * (ptrdiff_t)g->pitch[1] + z * (ptrdiff_t)g->pitch[2],
                     .step = {x, y, z},
                     .weight = weight,
                     .length = length,
                     .stiffness = weight / length,
-                    .touching = touching > 0.0 ? 1.0 / touching : INFINITY,
+                    .touching = touching,
                 };
             }
         }

@@ -38,6 +38,7 @@ typedef struct {
     double volume;           // of a node
     size_t pitch[PDMC_AXES]; // of the index: 1, of a row, of a layer
     size_t origin, cells;    // index of the box's first cell; number of cells
+    double touching;         // the least of the neighbours' |xi| touching: nothing touches where no |xi| / p is larger
     int neighbour_count;
     pdmc_neighbour *neighbours;
     size_t *nodes; // [node_count] cells of the nodes, in their order
