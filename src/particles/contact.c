@@ -35,10 +35,11 @@ pdmc_status pdmc_contact_create(const pdmc_particles_options *options, const pdm
     PDMC_NEW(contact->partners, g->node_count);
     PDMC_NEW(contact->start, g->node_count + 1);
     for (int a = 0; a < PDMC_AXES; a++) {
-        PDMC_NEW(contact->built[a], g->node_count);
+        PDMC_NEW(contact->built[a], g->cells);
+        PDMC_NEW(contact->found[a], g->node_count);
         PDMC_NEW(contact->moved[a], g->node_count);
     }
-    for (int k = 0; k < g->node_count; k++) contact->built[0][k] = INFINITY; // nothing was found yet
+    for (size_t c = 0; c < g->cells; c++) contact->built[0][c] = INFINITY; // nothing was found yet
     PDMC_TRY(pdmc_bins_create(g->node_count, &contact->bins));
     PDMC_NEW(contact->range, 2 * PDMC_AXES * (size_t)contact->bins.most);
 done:
@@ -53,11 +54,25 @@ void pdmc_contact_clear(pdmc_contact *contact)
     pdmc_free(contact->partner);
     for (int a = 0; a < PDMC_AXES; a++) {
         pdmc_free(contact->built[a]);
+        pdmc_free(contact->found[a]);
         pdmc_free(contact->moved[a]);
     }
     pdmc_free(contact->range);
     pdmc_bins_clear(&contact->bins);
     *contact = (pdmc_contact){0};
+}
+
+/// The largest squared distance that nodes of a block have moved since the pairs were found.
+static double farthest(const pdmc_contact *contact, const pdmc_block *block, double *const position[])
+{
+    double square[PDMC_LANES] = {0.0}, most = 0.0;
+    for (int a = 0; a < PDMC_AXES; a++) {
+        const double *now = &position[a][block->cell], *then = &contact->built[a][block->cell];
+        for (int k = 0; k < PDMC_LANES; k++) square[k] += (now[k] - then[k]) * (now[k] - then[k]);
+    }
+    for (int k = 0; k < PDMC_LANES; k++)
+        if (block->nodes >> k & 1) most = square[k] <= most ? most : square[k];
+    return most;
 }
 
 /// Whether a node has moved by more than half of the skin since the pairs were found.
@@ -66,14 +81,7 @@ static bool has_moved(const pdmc_contact *contact, const pdmc_lattice *g, double
     const double allowed = 0.25 * contact->skin * contact->skin;
     int moved = 0; // whichever thread sees it, and however often
 #pragma omp parallel for num_threads(threads) schedule(static) reduction(| : moved)
-    for (int k = 0; k < g->node_count; k++) {
-        double square = 0.0;
-        for (int a = 0; a < PDMC_AXES; a++) {
-            const double step = position[a][g->nodes[k]] - contact->built[a][k];
-            square += step * step;
-        }
-        moved |= !(square <= allowed);
-    }
+    for (int b = 0; b < g->block_count; b++) moved |= !(farthest(contact, &g->blocks[b], position) <= allowed);
     return moved != 0;
 }
 
@@ -83,7 +91,7 @@ static void remember(pdmc_contact *contact, const pdmc_lattice *g, double *const
     for (int k = 0; k < g->node_count; k++) {
         const size_t c = g->nodes[k];
         for (int a = 0; a < PDMC_AXES; a++) {
-            contact->built[a][k] = position[a][c];
+            contact->built[a][c] = contact->found[a][k] = position[a][c];
             contact->moved[a][k] = position[a][c] - g->reference[a][c];
         }
     }
@@ -197,7 +205,7 @@ pdmc_status pdmc_contact_update(pdmc_contact *contact, const pdmc_lattice *g, do
     if (contact->distance == 0.0 || !has_moved(contact, g, position, threads)) return PDMC_OK;
     pdmc_bins *bins = &contact->bins;
     remember(contact, g, position, threads);
-    pdmc_bins_fill(bins, contact->built, contact->distance + contact->skin);
+    pdmc_bins_fill(bins, contact->found, contact->distance + contact->skin);
     const int total = bins->count[0] * bins->count[1] * bins->count[2];
     for (int b = 0; b < total; b++) find_range(contact, b);
     memset(contact->partners, 0, (size_t)g->node_count * sizeof *contact->partners);

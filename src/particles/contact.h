@@ -8,12 +8,13 @@
 
 /// All pairs that can touch before a node has moved by half of `skin`.
 typedef struct {
-    double distance;  // below which nodes repel each other, length; 0: never
-    double skin;      // length
-    double repulsion; // force / length^4
-    double reach;     // within which nodes are neighbours
-    double apart;     // the least distance of nodes that are not, in the reference configuration
-    double *built[PDMC_AXES], *moved[PDMC_AXES]; // [nodes] positions for which the pairs were found, and displacements
+    double distance;          // below which nodes repel each other, length; 0: never
+    double skin;              // length
+    double repulsion;         // force / length^4
+    double reach;             // within which nodes are neighbours
+    double apart;             // the least distance of nodes that are not, in the reference configuration
+    double *built[PDMC_AXES]; // [cells] positions for which the pairs were found
+    double *found[PDMC_AXES], *moved[PDMC_AXES]; // [nodes] the same, and displacements
     pdmc_bins bins;
     double *range; // [bins, 2, 3] least and largest displacements in a bin
     int listed;    // nodes with partners

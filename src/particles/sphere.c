@@ -24,6 +24,19 @@ static void push_node(const pdmc_rigid_sphere *sphere, double volume, double *co
     share[PDMC_AXES] += sphere->stiffness * depth * depth * depth / 3.0 * volume;
 }
 
+/// Which of a block's cells are inside the sphere, so that most blocks are done with at once.
+static unsigned inside(const pdmc_rigid_sphere *sphere, double *const position[], const pdmc_block *block)
+{
+    double square[PDMC_LANES] = {0.0};
+    unsigned bits = 0;
+    for (int a = 0; a < PDMC_AXES; a++) {
+        const double *x = &position[a][block->cell];
+        for (int k = 0; k < PDMC_LANES; k++) square[k] += (x[k] - sphere->centre[a]) * (x[k] - sphere->centre[a]);
+    }
+    for (int k = 0; k < PDMC_LANES; k++) bits |= (unsigned)(square[k] < sphere->radius * sphere->radius) << k;
+    return bits & block->nodes;
+}
+
 double pdmc_sphere_push(const pdmc_rigid_sphere *sphere, const pdmc_lattice *g, double *const position[PDMC_AXES],
                         int threads, double *const force[PDMC_AXES], double reaction[], double total[PDMC_AXES])
 {
@@ -33,7 +46,7 @@ double pdmc_sphere_push(const pdmc_rigid_sphere *sphere, const pdmc_lattice *g, 
     for (int b = 0; b < g->block_count; b++) {
         double *share = &reaction[SHARE * (size_t)b];
         memset(share, 0, SHARE * sizeof *share);
-        for (unsigned left = g->blocks[b].nodes; left; left &= left - 1)
+        for (unsigned left = inside(sphere, position, &g->blocks[b]); left; left &= left - 1)
             push_node(sphere, g->volume, position, g->blocks[b].cell + (size_t)__builtin_ctz(left), force, share);
     }
     for (int b = 0; b < g->block_count; b++) {
