@@ -34,7 +34,7 @@ typedef struct {
 /// so that their variances are kept in full, and go on with those of the covariance that remains.
 typedef struct {
     int points;
-    const double *x;      // [points, 2]
+    const double *x;      // [points, 2]; the same array as of the functional before costs no more covariances
     const double *weight; // [points]
 } pdmc_field_functional;
 

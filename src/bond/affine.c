@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bond/bond.h"
 #include "bond/crossing.h"
+#include "bond/near_rows.h"
+#include "bond/nodal.h"
+#include "bond/varying.h"
 
 #include <cblas.h>
 #include <gsl/gsl_math.h>
@@ -11,25 +14,58 @@ enum { B = PDMC_BLOCK };
 
 static const pdmc_bond *bond_of(const pdmc_affine *model)
 {
-    return model->discretisation;
+    return ((const pdmc_bond_operator *)model->discretisation)->bond;
 }
 
-// The model only refers to the plate.
-static void release(void *discretisation)
+static const pdmc_bond_stiffness *stiffness_of(const pdmc_affine *model)
 {
-    (void)discretisation;
+    return ((const pdmc_bond_operator *)model->discretisation)->stiffness;
+}
+
+// The deviation of a shell in a sample.
+static double shell_deviation(const pdmc_affine *model, const double xi[], int shell)
+{
+    return model->radial_terms > 0 ? xi[shell] : 0.0;
+}
+
+static pdmc_status multiply_shells(const pdmc_affine *model, double mean, const double xi[], const double x[],
+                                   double y[])
+{
+    pdmc_status status = PDMC_OK;
+    const int shells = bond_of(model)->plate.horizon.shells;
+    double *factor = NULL;
+    PDMC_NEW(factor, B * shells);
+    for (int s = 0; s < B; s++)
+        for (int m = 0; m < shells; m++)
+            factor[s * shells + m] = mean + shell_deviation(model, &xi[s * model->terms], m);
+    PDMC_TRY(pdmc_bond_multiply(&bond_of(model)->plate, bond_of(model)->threads, factor, x, y));
+done:
+    pdmc_free(factor);
+    return status;
+}
+
+static pdmc_status multiply_nodes(const pdmc_affine *model, double mean, const double xi[], const double x[],
+                                  double y[])
+{
+    const pdmc_bond *bond = bond_of(model);
+    const pdmc_bond_stiffness *stiffness = stiffness_of(model);
+    return pdmc_bond_nodal_multiply(&bond->plate, bond->threads, stiffness->terms, stiffness->value, mean, model->terms,
+                                    xi + model->radial_terms, x, y);
 }
 
 static pdmc_status multiply(const pdmc_affine *model, double mean, const double xi[], const double x[], double y[])
 {
     pdmc_status status = PDMC_OK;
-    const int shells = bond_of(model)->plate.horizon.shells, count = B * shells;
-    double *factor = NULL;
-    PDMC_NEW(factor, count);
-    for (int k = 0; k < count; k++) factor[k] = mean + (model->terms > 0 ? xi[k] : 0.0);
-    PDMC_TRY(pdmc_bond_multiply(&bond_of(model)->plate, bond_of(model)->threads, factor, x, y));
+    const size_t values = (size_t)B * (size_t)model->unknowns;
+    double *radial = NULL;
+    if (!stiffness_of(model)) return multiply_shells(model, mean, xi, x, y);
+    if (model->radial_terms == 0) return multiply_nodes(model, mean, xi, x, y);
+    PDMC_NEW(radial, values);
+    PDMC_TRY(multiply_shells(model, 0.0, xi, x, radial));
+    PDMC_TRY(multiply_nodes(model, mean, xi, x, y));
+    for (size_t k = 0; k < values; k++) y[k] += radial[k];
 done:
-    pdmc_free(factor);
+    pdmc_free(radial);
     return status;
 }
 
@@ -71,29 +107,42 @@ static pdmc_status solve(const pdmc_affine *model, const double xi[], const doub
 {
     pdmc_status status = PDMC_OK;
     const pdmc_bond *bond = bond_of(model);
-    const int shells = bond->plate.horizon.shells;
+    const pdmc_bond_stiffness *stiffness = stiffness_of(model);
+    const int shells = bond->plate.horizon.shells, nodes = bond->plate.grid.nodes;
     pdmc_bond_matrix matrix = {0};
     pdmc_bond_factor *factor = NULL;
-    double *shell_factor = NULL;
-    PDMC_NEW(shell_factor, shells);
-    for (int m = 0; m < shells; m++) shell_factor[m] = 1.0 + (model->terms > 0 ? xi[m] : 0.0);
-    const pdmc_bond_moduli moduli = {.shell = shell_factor};
+    double *shell = NULL, *node = NULL;
+    PDMC_NEW(shell, shells);
+    for (int m = 0; m < shells; m++) shell[m] = 1.0 + shell_deviation(model, xi, m);
+    if (stiffness) PDMC_NEW(node, nodes);
+    if (stiffness)
+        cblas_dgemv(CblasRowMajor, CblasNoTrans, nodes, stiffness->terms, 1.0, stiffness->value, stiffness->terms,
+                    xi + model->radial_terms, 1, 0.0, node, 1);
+    const pdmc_bond_moduli moduli = {shell, node};
     PDMC_TRY(pdmc_bond_matrix_create(&bond->plate, &moduli, &matrix));
     PDMC_TRY(pdmc_bond_factor_create(&matrix, bond->factor, &factor));
     PDMC_TRY(pdmc_bond_solve(bond, factor, &moduli, scale, x));
 done:
     pdmc_bond_factor_destroy(&factor);
     pdmc_bond_matrix_clear(&matrix);
-    pdmc_free(shell_factor);
+    pdmc_free(shell);
+    pdmc_free(node);
     return status;
 }
 
 static pdmc_status project(const pdmc_affine *model, int u_count, const double u[], int v_count, const double v[],
                            double out[])
 {
+    pdmc_status status = PDMC_OK;
     const pdmc_bond *bond = bond_of(model);
-    if (model->terms == 0) return PDMC_OK;
-    return pdmc_bond_shell_project(&bond->plate, bond->threads, u_count, u, v_count, v, out);
+    const pdmc_bond_stiffness *stiffness = stiffness_of(model);
+    const size_t radial = (size_t)model->radial_terms * (size_t)u_count * (size_t)v_count;
+    if (radial > 0) PDMC_TRY(pdmc_bond_shell_project(&bond->plate, bond->threads, u_count, u, v_count, v, out));
+    if (stiffness)
+        PDMC_TRY(pdmc_bond_nodal_project(&bond->plate, bond->threads, stiffness->terms, stiffness->value, u_count, u,
+                                         v_count, v, &out[radial]));
+done:
+    return status;
 }
 
 // E_eff is proportional to the energy of an isotropic stretch, sum_k c_k area_k |xi_k|.
@@ -109,15 +158,15 @@ static void fill_modulus_weight(const pdmc_bond_horizon *horizon, double weight[
     for (int b = 0; b < horizon->bins; b++) weight[b] /= sum;
 }
 
-static pdmc_status fill_weights(const pdmc_bond *bond, pdmc_affine *model)
+static pdmc_status fill_weights(const pdmc_bond *bond, const pdmc_bond_stiffness *stiffness, pdmc_affine *model)
 {
     pdmc_status status = PDMC_OK;
     const pdmc_bond_horizon *horizon = &bond->plate.horizon;
     const size_t shares = (size_t)horizon->bins * (size_t)horizon->shells;
     model->bins = horizon->bins;
     model->rings = horizon->shells;
-    model->terms = pdmc_problem_uncertainty(bond->problem, PDMC_QUANTITY_MICROMODULUS) ? horizon->shells : 0;
-    model->radial_terms = model->terms;
+    model->radial_terms = pdmc_problem_uncertainty(bond->problem, PDMC_QUANTITY_MICROMODULUS) ? horizon->shells : 0;
+    model->terms = model->radial_terms + (stiffness ? stiffness->terms : 0);
     PDMC_NEW(model->term_weight, shares);
     PDMC_NEW(model->ring_weight, shares);
     PDMC_NEW(model->modulus_weight, horizon->bins);
@@ -128,30 +177,67 @@ done:
     return status;
 }
 
+// The model only refers to the plate.
+static pdmc_status create_operator(const pdmc_bond *bond, const pdmc_bond_stiffness *stiffness, pdmc_affine *model)
+{
+    static const pdmc_affine_verbs uniform = {.perturb = perturb,
+                                              .solve = solve,
+                                              .multiply = multiply,
+                                              .precondition = precondition,
+                                              .color = color,
+                                              .project = project,
+                                              .destroy = pdmc_free};
+    static const pdmc_affine_verbs varying = {.perturb = perturb,
+                                              .solve = solve,
+                                              .multiply = multiply,
+                                              .precondition = precondition,
+                                              .color = color,
+                                              .project = project,
+                                              .coercivity = pdmc_bond_coercivity,
+                                              .destroy = pdmc_free};
+    pdmc_status status = PDMC_OK;
+    pdmc_bond_operator *made = NULL;
+    PDMC_NEW(made, 1);
+    *made = (pdmc_bond_operator){bond, stiffness};
+    model->discretisation = made;
+    model->verbs = stiffness ? &varying : &uniform;
+done:
+    return status;
+}
+
 static pdmc_status fill_solutions(const pdmc_bond *bond, pdmc_affine *model)
 {
-    static const pdmc_affine_verbs verbs = {.perturb = perturb,
-                                            .solve = solve,
-                                            .multiply = multiply,
-                                            .precondition = precondition,
-                                            .color = color,
-                                            .project = project,
-                                            .destroy = release};
     pdmc_status status = PDMC_OK;
     const size_t n = (size_t)bond->unknowns;
-    model->verbs = &verbs;
-    model->discretisation = (void *)bond;
     model->unknowns = bond->unknowns;
     model->micromodulus = pdmc_micromodulus(&bond->problem->material, bond->problem->solver.horizon);
     model->cases = 1 + bond->loads.count;
     PDMC_NEW(model->solution, (size_t)model->cases * n);
     memcpy(model->solution, bond->solution, (size_t)model->cases * n * sizeof(double));
-    PDMC_NEW(model->stress_intensity, 2 * (size_t)model->tips * n);
+done:
+    return status;
+}
+
+static pdmc_status fill_intensities(const pdmc_bond *bond, const pdmc_bond_stiffness *stiffness, pdmc_affine *model)
+{
+    pdmc_status status = PDMC_OK;
+    const size_t n = (size_t)bond->unknowns;
+    double *far = NULL;
+    PDMC_NEW(far, 2 * (size_t)model->tips * n);
     for (int t = 0; t < model->tips; t++) {
-        double *row = &model->stress_intensity[2 * (size_t)t * n];
+        double *row = &far[2 * (size_t)t * n];
         PDMC_TRY(pdmc_bond_stress_intensity_rows(bond, bond->problem->energy.tips[t], row, row + n));
     }
+    if (stiffness) PDMC_NEW(model->stress_intensity, 2 * (size_t)model->tips * n);
+    for (int t = 0; t < model->tips && stiffness; t++)
+        PDMC_TRY(pdmc_bond_near_rows(bond, bond->problem->energy.tips[t], &far[2 * (size_t)t * n],
+                                     &model->stress_intensity[2 * (size_t)t * n]));
+    if (!stiffness) {
+        model->stress_intensity = far;
+        far = NULL;
+    }
 done:
+    pdmc_free(far);
     return status;
 }
 
@@ -186,16 +272,19 @@ static double bound_of_crossings(const pdmc_bond *bond)
     return 1.0 / sqrt(2.0 * problem->energy.extension * smallest);
 }
 
-pdmc_status pdmc_bond_affine(const pdmc_bond *bond, pdmc_affine *model)
+pdmc_status pdmc_bond_affine(const pdmc_bond *bond, const pdmc_bond_stiffness *stiffness, pdmc_affine *model)
 {
     pdmc_status status = PDMC_OK;
     const double start = pdmc_seconds();
     const pdmc_energy_request *energy = &bond->problem->energy;
     *model = (pdmc_affine){.tips = energy->tip_count, .angles = energy->angles};
-    PDMC_TRY(fill_weights(bond, model));
+    PDMC_TRY(fill_weights(bond, stiffness, model));
+    PDMC_TRY(create_operator(bond, stiffness, model));
     PDMC_TRY(fill_solutions(bond, model));
+    PDMC_TRY(fill_intensities(bond, stiffness, model));
     const double made = pdmc_seconds();
     PDMC_TRY(fill_crossings(bond, model));
+    if (stiffness) PDMC_TRY(pdmc_bond_fill_local_stiffness(bond, stiffness, model));
     model->crossing_bound = bound_of_crossings(bond);
     model->operator_seconds = made - start;
     model->energy_seconds = pdmc_seconds() - made;

@@ -57,7 +57,23 @@ PDMC_NODISCARD pdmc_status pdmc_bond_tip(const pdmc_bond *bond, int tip, pdmc_ti
 PDMC_NODISCARD pdmc_status pdmc_bond_stress_intensity_rows(const pdmc_bond *bond, int tip, double row_1[],
                                                            double row_2[]);
 
+/// The radius of that circle round a tip, and the same functionals by another one.
+double pdmc_bond_interaction_radius(const pdmc_problem *problem, int tip);
+PDMC_NODISCARD pdmc_status pdmc_bond_interaction_rows(const pdmc_bond *bond, int tip, double radius, double row_1[],
+                                                      double row_2[]);
+
+/// A stiffness that varies in space, M = 1 + sum_k xi_k psi_k, at the nodes.
+typedef struct {
+    int terms;
+    double *value;   // [nodes, terms] psi
+    double *release; // [tips, nodes] of pdmc_bond_release(), of the tips of the problem's request
+} pdmc_bond_stiffness;
+
 /// The affine model of the problem's uncertain quantities: a term for each shell of bonds, xi_m the relative deviation
-/// of its micromodulus. The model's coordinates are the unknowns.
-/// @param[out] model  clear it before the bond model
-PDMC_NODISCARD pdmc_status pdmc_bond_affine(const pdmc_bond *bond, pdmc_affine *model);
+/// of its micromodulus, and those of a stiffness that varies in space. A bond has the sum of both deviations, its shell's
+/// and the mean of its two nodes': the product of the two is of second order and left out, so that the model is affine.
+/// The model's coordinates are the unknowns; its field is not set.
+/// @param[in]  stiffness  NULL where it is the same everywhere; kept by reference
+/// @param[out] model      clear it before the bond model
+PDMC_NODISCARD pdmc_status pdmc_bond_affine(const pdmc_bond *bond, const pdmc_bond_stiffness *stiffness,
+                                            pdmc_affine *model);

@@ -62,17 +62,25 @@ static double modulus_of_grid(const pdmc_bond *bond)
     return sum / (2.0 * M_PI / 3.0 * c * gsl_pow_3(delta));
 }
 
-// Beyond two horizons the field is that of local elasticity, and the half length is where the contour has most room.
-pdmc_status pdmc_bond_stress_intensity_rows(const pdmc_bond *bond, int tip, double row_1[], double row_2[])
+pdmc_status pdmc_bond_interaction_rows(const pdmc_bond *bond, int tip, double radius, double row_1[], double row_2[])
 {
-    const pdmc_problem *problem = bond->problem;
     const pdmc_gradient_functional functional = {PDMC_BOND_POINT_NODES, bond, gradient_at};
-    const double wanted = fmax(pdmc_tip_half_length(problem, tip), 2.0 * problem->solver.horizon);
-    const double radius = pdmc_interaction_radius(problem, tip, wanted);
-    const pdmc_status status = pdmc_interaction_rows(problem, tip, radius, &functional, row_1, row_2);
+    const pdmc_status status = pdmc_interaction_rows(bond->problem, tip, radius, &functional, row_1, row_2);
     cblas_dscal(bond->unknowns, modulus_of_grid(bond), row_1, 1);
     cblas_dscal(bond->unknowns, modulus_of_grid(bond), row_2, 1);
     return status;
+}
+
+// Beyond two horizons the field is that of local elasticity, and the half length is where the contour has most room.
+double pdmc_bond_interaction_radius(const pdmc_problem *problem, int tip)
+{
+    return pdmc_interaction_radius(problem, tip,
+                                   fmax(pdmc_tip_half_length(problem, tip), 2.0 * problem->solver.horizon));
+}
+
+pdmc_status pdmc_bond_stress_intensity_rows(const pdmc_bond *bond, int tip, double row_1[], double row_2[])
+{
+    return pdmc_bond_interaction_rows(bond, tip, pdmc_bond_interaction_radius(bond->problem, tip), row_1, row_2);
 }
 
 static pdmc_status tip_rows(const void *method, int tip, double row_1[], double row_2[])

@@ -13,19 +13,29 @@
 static const double DEPENDENT = 1e-12; // of a functional's variance is less than this new, to rounding it has none
 static const double NOTHING = 1e-13;   // of the largest eigenvalue: below, a remaining mode is rounding and is left 0
 
+/// Whether a functional has the array of points of the one before.
+static bool shares_points(const pdmc_field_functional functional[], int i)
+{
+    return i > 0 && functional[i].x == functional[i - 1].x && functional[i].points == functional[i - 1].points;
+}
+
 /// All points of the functionals, and their weights, a column each.
 static pdmc_status gather(int functionals, const pdmc_field_functional functional[], pdmc_functions *result)
 {
     pdmc_status status = PDMC_OK;
-    for (int i = 0; i < functionals; i++) result->sources += functional[i].points;
+    for (int i = 0; i < functionals; i++)
+        if (!shares_points(functional, i)) result->sources += functional[i].points;
     PDMC_NEW(result->source, 2 * (size_t)result->sources);
     PDMC_NEW(result->weight, (size_t)result->sources * (size_t)functionals);
-    for (int i = 0, first = 0; i < functionals; first += functional[i].points, i++)
+    for (int i = 0, first = 0, end = 0; i < functionals; i++) {
+        if (!shares_points(functional, i)) first = end;
+        end = first + functional[i].points;
         for (int j = 0; j < functional[i].points; j++) {
             result->source[2 * (first + j)] = functional[i].x[2 * j];
             result->source[2 * (first + j) + 1] = functional[i].x[2 * j + 1];
             result->weight[(size_t)(first + j) * (size_t)functionals + (size_t)i] = functional[i].weight[j];
         }
+    }
 done:
     return status;
 }

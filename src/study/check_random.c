@@ -46,16 +46,16 @@ static pdmc_status check_covariance(const pdmc_study_reader *reader, int index)
     return PDMC_OK;
 }
 
-// The rows of the collocation hold the gradient of the stiffness, which a rough field does not have, and are 7 % wrong for
-// a wave of four half lengths of the crack; the other methods have no field yet.
+// The rows of a collocation hold the gradient of the stiffness, which a rough field does not have, and are 7 % wrong for a
+// wave of four half lengths of the crack. Energies hold the stiffness alone: those of bonds, and the weak form.
 static pdmc_status check_stiffness(const pdmc_study_reader *reader, int index)
 {
     const pdmc_solver_options *solver = &reader->problem->solver;
-    const bool is_analytic = solver->method == PDMC_METHOD_KANSA && solver->crack_model == PDMC_CRACKS_ANALYTIC;
-    if (reader->problem->uncertainties[index].quantity != PDMC_QUANTITY_STIFFNESS || is_analytic) return PDMC_OK;
+    const bool has_energy = solver->method == PDMC_METHOD_BOND || solver->crack_model == PDMC_CRACKS_ANALYTIC;
+    if (reader->problem->uncertainties[index].quantity != PDMC_QUANTITY_STIFFNESS || has_energy) return PDMC_OK;
     return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "quantity"},
-                             "a stiffness that varies in space needs the weak form of method = \"kansa\", "
-                             "crack_model = \"analytic\"");
+                             "a stiffness that varies in space has no gradient for the rows of a collocation, and needs an "
+                             "energy, must be with method = \"bond\" or crack_model = \"analytic\"");
 }
 
 // c(r), the stiffness, and noise along a side: functions with a variation at every point.

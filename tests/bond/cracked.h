@@ -53,7 +53,7 @@ static inline void describe(cracked *c, int bins, double variation)
 static inline void make(cracked *c)
 {
     CHECK_OK(pdmc_bond_create(&c->problem, 2, &c->bond));
-    CHECK_OK(pdmc_bond_affine(c->bond, &c->model));
+    CHECK_OK(pdmc_bond_affine(c->bond, NULL, &c->model));
 }
 
 static inline void clear(cracked *c)

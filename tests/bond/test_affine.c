@@ -129,7 +129,7 @@ static void every_allocation_may_be_refused(void **state)
     c.problem.plate = (pdmc_plate){1.6, 1.6, 1.0};
     c.problem.energy.angles = 4;
     CHECK_FAILS_CLEANLY(pdmc_bond_create(&c.problem, 1, &c.bond), (void)0);
-    CHECK_FAILS_CLEANLY(pdmc_bond_affine(c.bond, &c.model), (void)0);
+    CHECK_FAILS_CLEANLY(pdmc_bond_affine(c.bond, NULL, &c.model), (void)0);
     clear(&c);
 }
 

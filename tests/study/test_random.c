@@ -154,6 +154,9 @@ static void fields_and_processes(void **state)
          "random[0].smoothness: is missing, must be a real from 0.05 to 20 with covariance = \"matern\""},
         {STIFFNESS("correlation_length = 1; smoothness = 2;"),
          "random[0].smoothness: is a setting of the covariance \"matern\" alone"},
+        {STIFFNESS("correlation_length = 1;") " solver = { crack_model = \"visible\"; };",
+         "random[0].quantity: a stiffness that varies in space has no gradient for the rows of a collocation, and needs "
+         "an energy, must be with method = \"bond\" or crack_model = \"analytic\""},
         {STIFFNESS("correlation_length = 1; mean = 2;"), "random[0].mean: is no setting of the quantity \"stiffness\""},
         {"random = ( { quantity = \"micromodulus\"; model = \"radial_process\"; } );",
          "random[0].correlation_length: is missing, must be a real > 0"},
