@@ -8,7 +8,7 @@
 #include <string.h>
 
 static const char filetype[] = "pdmc-results";
-enum { VERSION_MAJOR = 1, VERSION_MINOR = 1 }; // of the layout: the major one changes when old readers would fail
+enum { VERSION_MAJOR = 1, VERSION_MINOR = 2 }; // of the layout: the major one changes when old readers would fail
 enum { VERSION_TEXT = 48 };                    // characters of "major.minor.patch"
 
 static pdmc_status write_integers(hid_t file, const char *name, size_t count, const int numbers[])

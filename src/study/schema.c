@@ -338,9 +338,9 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .doc = "what sampling goes on for until it is known at every tip: the mean or the 95 % quantile of the energy where the "
             "mean plate has its largest, or P(G > G_c)"},
     {SECTION_SAMPLING, "relative_error", KIND_REAL, .range = ABOVE_TO(0.0, 1.0), .offset = IN_PROBLEM(sampling.relative_error),
-     .fallback = "0.05", .doc = "of the target: half the width of its interval over its value"},
+     .fallback = "0.05", WHERE("target", ~ONLY(PDMC_TARGET_NONE)), .doc = "of the target: half the width of its interval over its value"},
     {SECTION_SAMPLING, "most_samples", KIND_INT, .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.most_samples),
-     .fallback = "1000000", .doc = "at which sampling stops without it"},
+     .fallback = "1000000", WHERE("target", ~ONLY(PDMC_TARGET_NONE)), .doc = "at which sampling stops without it"},
     {SECTION_SAMPLING, "keep", KIND_INT, .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.keep),
      .fallback = "20000",
      .doc = "independent samples of which the file has c(r) and the energies at every angle; the statistics are of all"},
@@ -348,7 +348,7 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .fallback = "monte_carlo",
      .doc = "independent samples, or replicates of a Latin hypercube or of a scrambled Sobol' sequence, which need fewer"},
     {SECTION_SAMPLING, "replicates", KIND_INT, .range = FROM_TO(3, 1024), .offset = IN_PROBLEM(sampling.replicates),
-     .fallback = "16", .doc = "independent parts of a design, whose spread gives the intervals"},
+     .fallback = "16", WHERE("design", ~ONLY(PDMC_DESIGN_MONTE_CARLO)), .doc = "independent parts of a design, whose spread gives the intervals"},
     {SECTION_SAMPLING, "inverse", KIND_CHOICE, .offset = IN_PROBLEM(sampling.inverse), .choices = INVERSES,
      .fallback = "neumann",
      .doc = "how each sample is solved: by its own factorisation; round that of the mean by the Neumann expansion or by "

@@ -267,6 +267,11 @@ static void designs_and_rare_events(void **state)
         {LOAD("") " sampling = { design = \"latin_hypercube\"; samples = 96; target = \"mean\"; };",
          "sampling.target: a Latin hypercube's points depend on their number, which a target leaves open, must have "
          "design = \"monte_carlo\" or \"sobol\""},
+        {LOAD("") " sampling = { replicates = 8; };", "sampling.replicates: is no setting of the design \"monte_carlo\""},
+        {LOAD("") " sampling = { relative_error = 0.1; };",
+         "sampling.relative_error: is no setting of the target \"none\""},
+        {LOAD("") " sampling = { most_samples = 5000; };",
+         "sampling.most_samples: is no setting of the target \"none\""},
         {LOAD("") " sampling = { samples = 100; most_samples = 99; target = \"mean\"; };",
          "sampling.most_samples: 99 is not allowed, must be at least the 100 samples"},
         {LOAD("") " sampling = { design = \"sobol\"; samples = 96; most_samples = 1000; target = \"mean\"; };",
