@@ -203,6 +203,12 @@ typedef struct {
     int sensitivity;  // rows of the designs for Sobol' indices; 0: none
 } pdmc_reliability_request;
 
+/// A cheaper method whose samples, drawn with the same random numbers, are controls of the study's own.
+typedef struct {
+    int samples;                // of the cheaper method, more than the study's own; 0: none
+    pdmc_solver_options solver; // the study's horizon, and the method's defaults but for the spacing
+} pdmc_control_request;
+
 typedef enum { PDMC_BONDS_ALL, PDMC_BONDS_TENSILE } pdmc_bonds;
 typedef enum { PDMC_MEASURE_BOND, PDMC_MEASURE_GRIFFITH } pdmc_measure;
 enum { PDMC_MEASURES = 2 };
@@ -269,6 +275,7 @@ typedef struct {
     pdmc_solver_options solver;
     pdmc_sampling sampling;
     pdmc_reliability_request reliability;
+    pdmc_control_request control;
     pdmc_energy_request energy;
 } pdmc_problem;
 

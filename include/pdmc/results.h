@@ -107,6 +107,18 @@ typedef struct {
     double solved_in_full; // points too near to G_c for the reduced model
 } pdmc_reliability_results;
 
+/// What samples of a cheaper method say of the study's own, by control variates.
+typedef struct {
+    int tip_count;              // T, or 0 where there are none
+    double samples, failed;     // of the cheaper method
+    double advised_samples;     // that would give the narrowest intervals of means for the time these have taken
+    pdmc_estimate *mean;        // [T, A] of the measure that decides; NaN where samples failed, as the others
+    double *correlation;        // [T, A] of the energies of both methods
+    double *mean_gain;          // [T, A] variance of the plain mean over that of this one
+    pdmc_estimate *probability; // [T] P(max over angles of `measure` > fracture energy)
+    double *probability_gain;   // [T] squared ratio of the plain interval's width to this one's
+} pdmc_control_results;
+
 /// The plate as it was discretised, and its displacement at the mean.
 typedef struct {
     int node_count;
@@ -188,6 +200,7 @@ typedef struct {
 typedef struct {
     double assembly, factorisation, operators, energy_rows, sampling, energy, statistics, output, total; // wall seconds
     double reliability; // of rare growth and sensitivities; NaN in files that do not hold it
+    double control;     // of the cheaper method's samples; NaN in files that do not hold it
     double motion; // of a dynamic study: the weak form and the time steps; of an explicit one the steps
     double peak_memory; // largest resident memory of the process until then, bytes; NaN in files that do not hold it
     int threads;
@@ -248,6 +261,7 @@ typedef struct {
     pdmc_estimate *direction;   // [T, A] share of the samples whose `measure` is largest at that angle
     pdmc_estimate *conditional_probability; // [T] the same with the load integrated analytically; NaN where it cannot be
     pdmc_reliability_results reliability;
+    pdmc_control_results control;
     pdmc_estimate *probability; // [T] P(max over angles of `measure` > fracture_energy); bounds count failed samples
                                 // as both, m / N and (m + failed) / N
 

@@ -56,6 +56,7 @@
     MODEL_ERROR(measure "_low_quantile_error", quantile_error[which][0], "5 % quantile"),                              \
     MODEL_ERROR(measure "_median_error", quantile_error[which][1], "median"),                                          \
     MODEL_ERROR(measure "_high_quantile_error", quantile_error[which][2], "95 % quantile")
+#define CONTROL "/control/"
 #define RELIABILITY "/reliability/"
 #define METHOD(path, kind, name, unit, text, width, ...)                                                               \
     {RELIABILITY "methods/" path, text, PDMC_KIND_##kind, PDMC_UNIT_##unit, MEMBER(reliability.records),               \
@@ -269,6 +270,24 @@ const pdmc_dataset pdmc_datasets[] = {
            "points too near to G_c for the reduced model"),
     NUMBER(RELIABILITY "seconds", REAL, runtime.reliability, TIME, "wall time of rare growth and sensitivities"),
 
+    ESTIMATES(CONTROL "probability", control.probability, NONE,
+              "probability that the largest energy exceeds G_c, with a cheaper method's samples as control",
+              PDMC_DIM_CONTROLLED_TIP),
+    REALS(CONTROL "probability_gain", control.probability_gain, NONE,
+          "squared ratio of the interval's width without the control to that with it", PDMC_DIM_CONTROLLED_TIP),
+    ESTIMATES(CONTROL "mean", control.mean, ENERGY,
+              "mean of the energy that decides, with a cheaper method's samples as control", PDMC_DIM_CONTROLLED_TIP,
+              PDMC_DIM_ANGLE),
+    REALS(CONTROL "mean_gain", control.mean_gain, NONE, "variance of the mean without the control over that with it",
+          PDMC_DIM_CONTROLLED_TIP, PDMC_DIM_ANGLE),
+    REALS(CONTROL "correlation", control.correlation, NONE, "of the energies of both methods", PDMC_DIM_CONTROLLED_TIP,
+          PDMC_DIM_ANGLE),
+    NUMBER(CONTROL "samples", REAL, control.samples, NONE, "samples of the cheaper method"),
+    NUMBER(CONTROL "failed", REAL, control.failed, NONE, "of these, samples that could not be solved"),
+    NUMBER(CONTROL "advised_samples", REAL, control.advised_samples, NONE,
+           "samples of the cheaper method that would give the narrowest intervals of means for the time"),
+    NUMBER(CONTROL "seconds", REAL, runtime.control, TIME, "wall time of the cheaper method's samples"),
+
     SECONDS(assembly, "the assembly of the mean operator"),
     SECONDS(factorisation, "its factorisation"),
     SECONDS(operators, "the operators of the uncertain micromodulus"),
@@ -348,6 +367,7 @@ static const struct {
     [PDMC_DIM_SNAPSHOT] = {"snapshot", MEMBER(particles.snapshot_count), true, 0},
     [PDMC_DIM_STATE] = {"node of a snapshot", MEMBER(particles.state_count), true, 0},
     [PDMC_DIM_AXIS] = {"x, y, z", 0, false, PDMC_AXES},
+    [PDMC_DIM_CONTROLLED_TIP] = {"tip with a control", MEMBER(control.tip_count), true, 0},
     [PDMC_DIM_QUANTILE] = {"quantile level", 0, false, PDMC_QUANTILES},
     [PDMC_DIM_COORDINATE] = {"x, y", 0, false, 2},
     [PDMC_DIM_END_POINT] = {"from x, from y, to x, to y", 0, false, 4},
@@ -398,7 +418,7 @@ bool pdmc_attribute_belongs(const pdmc_results *results, const pdmc_attribute *a
 bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset)
 {
     // What files of earlier versions do not hold.
-    static const char *const later[] = {PEAK_MEMORY, ACCURACY, FRACTURE_ENERGY, SOLVER, LARGEST, GIVEN_REST, CONDITIONAL, REPLICATES, RELIABILITY};
+    static const char *const later[] = {PEAK_MEMORY, ACCURACY, FRACTURE_ENERGY, SOLVER, LARGEST, GIVEN_REST, CONDITIONAL, REPLICATES, CONTROL, RELIABILITY};
     for (size_t i = 0; i < COUNT(later); i++)
         if (strncmp(dataset->path, later[i], strlen(later[i])) == 0) return true;
     return false;

@@ -113,6 +113,14 @@ static pdmc_status check_kept(const pdmc_results *results, pdmc_status code)
     return PDMC_OK;
 }
 
+static pdmc_status check_control(const pdmc_results *results, pdmc_status code)
+{
+    const int tips = results->control.tip_count;
+    if (tips != 0 && tips != results->tip_count)
+        return pdmc_raise(code, "%d of %d tips have a control", tips, results->tip_count);
+    return PDMC_OK;
+}
+
 static pdmc_status check_names(const pdmc_results *results, pdmc_status code)
 {
     for (int i = 0; i < results->tip_count; i++)
@@ -163,7 +171,7 @@ pdmc_status pdmc_results_check(const pdmc_results *results, pdmc_status code)
 {
     pdmc_status (*const checks[])(const pdmc_results *, pdmc_status) = {check_counts,   check_arrays, check_choices,
                                                                         check_failures, check_kept,   check_names, check_faces,
-                                                                        check_particle_names, check_states};
+                                                                        check_particle_names, check_states,   check_control};
     for (size_t i = 0; i < sizeof checks / sizeof checks[0]; i++) {
         const pdmc_status status = checks[i](results, code);
         if (status != PDMC_OK) return status;

@@ -4,6 +4,7 @@
 #include "base/base_impl.h"
 #include "pdmc/discretisation.h"
 #include "run/coarser.h"
+#include "run/control.h"
 #include "run/explicit.h"
 #include "run/family.h"
 #include "run/motion.h"
@@ -148,6 +149,8 @@ static pdmc_status run_samples(const pdmc_problem *problem, const pdmc_discretis
     const double sampled = pdmc_seconds();
     PDMC_TRY(pdmc_summarise(options, counts, results));
     results->runtime.statistics = pdmc_seconds() - sampled;
+    if (problem->control.samples > 0 && results->status != PDMC_RUN_INTERRUPTED)
+        PDMC_TRY(pdmc_run_control(problem, options, results));
 done:
     pdmc_sample_counts_destroy(&counts);
     pdmc_affine_clear(&model);

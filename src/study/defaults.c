@@ -21,9 +21,20 @@ static double shorter_side(const pdmc_problem *problem)
     return fmin(problem->plate.width, problem->plate.height);
 }
 
+static double spacing_of(const pdmc_problem *problem, pdmc_method method)
+{
+    return shorter_side(problem) / (method == PDMC_METHOD_BOND ? 100.0 : 20.0);
+}
+
 double pdmc_study_default_spacing(const pdmc_problem *problem)
 {
-    return shorter_side(problem) / (problem->solver.method == PDMC_METHOD_BOND ? 100.0 : 20.0);
+    return spacing_of(problem, problem->solver.method);
+}
+
+double pdmc_study_default_control_spacing(const pdmc_problem *problem)
+{
+    const pdmc_method method = problem->control.solver.method;
+    return method == problem->solver.method ? 2.0 * problem->solver.spacing : spacing_of(problem, method);
 }
 
 double pdmc_study_default_horizon(const pdmc_problem *problem)

@@ -103,6 +103,9 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
                              .doc = "the probability that any tip grows, where it is rare, and what it comes from"},
     [SECTION_ENERGY] = {.name = "energy", .doc = "the energy release rates that are asked for",
                         OF(PDMC_STATIC), .check = pdmc_study_check_energy},
+    [SECTION_CONTROL] = {.name = "control", OF(PDMC_STATIC), .check = pdmc_study_check_control,
+                         .doc = "samples of a cheaper method with the same random numbers, by which those of the study know "
+                                "means and P(G > G_c) better"},
     [SECTION_PARTICLE_GRID] = {.name = "grid", .doc = "of an explicit study: its nodes and how far their bonds reach",
                                OF(PDMC_EXPLICIT), .check = pdmc_study_check_particle_grid},
     [SECTION_PARTICLE_MATERIALS] = {.name = "materials", OF(PDMC_EXPLICIT),
@@ -390,6 +393,14 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .doc = "whether bonds in compression count"},
     {SECTION_ENERGY, "measure", KIND_CHOICE, .offset = IN_PROBLEM(energy.measure), .choices = MEASURES,
      .fallback = "griffith", .doc = "what P(G > G_c) and the direction are computed from"},
+
+    {SECTION_CONTROL, "samples", KIND_INT, .range = FROM_TO(0, 100000000), .offset = IN_PROBLEM(control.samples),
+     .fallback = "0", .doc = "of the cheaper method, more than the study's own, which are the first of them; 0 for none"},
+    {SECTION_CONTROL, "method", KIND_CHOICE, .offset = IN_PROBLEM(control.solver.method), .choices = METHODS,
+     .fallback = "kansa", .doc = "the cheaper method, with the defaults of its solver, solved by the Neumann expansion"},
+    {SECTION_CONTROL, "spacing", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(control.solver.spacing),
+     .derive = pdmc_study_default_control_spacing, .fallback = "that of the method, 2 solver.spacing if it is the study's own",
+     .doc = "h of its nodes"},
 
     {SECTION_PARTICLE_GRID, "dimension", KIND_INT, .range = FROM_TO(2, 3), .offset = IN_MOTION(dimension),
      .doc = "of space"},

@@ -66,6 +66,7 @@ typedef enum {
     SECTION_SAMPLING,
     SECTION_RELIABILITY,
     SECTION_ENERGY,
+    SECTION_CONTROL,
     SECTION_PARTICLE_GRID,
     SECTION_PARTICLE_MATERIALS,
     SECTION_BODIES,
@@ -183,6 +184,7 @@ double pdmc_study_shortest_half_crack(const pdmc_problem *problem);
 double pdmc_study_half_crack(const pdmc_crack *crack);
 double pdmc_study_default_load_layer(const pdmc_problem *problem);
 double pdmc_study_default_spacing(const pdmc_problem *problem);
+double pdmc_study_default_control_spacing(const pdmc_problem *problem);
 double pdmc_study_default_horizon(const pdmc_problem *problem);
 double pdmc_study_default_shape(const pdmc_problem *problem);
 double pdmc_study_default_edge_layer(const pdmc_problem *problem);
@@ -299,6 +301,8 @@ PDMC_NODISCARD pdmc_status pdmc_study_check_correlations(const pdmc_study_reader
 PDMC_NODISCARD pdmc_status pdmc_study_make_law(const pdmc_study_reader *reader, int index);
 PDMC_NODISCARD pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_reliability(const pdmc_study_reader *reader);
+/// Completes the solver of the control by its defaults.
+PDMC_NODISCARD pdmc_status pdmc_study_check_control(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_energy(const pdmc_study_reader *reader);
 
 // ... of an explicit study (check_explicit.c, check_bodies.c)

@@ -97,6 +97,8 @@ static void write_statistics_at(const pdmc_results *r, int t, int m, int k, FILE
     const size_t at = pdmc_place(r, t, k);
     const pdmc_energy_statistics *s = &r->statistics[m];
     write_statistic(r, t, m, k, "mean", &s->mean[at], stream);
+    if (r->control.tip_count > 0 && m == (int)r->measure)
+        write_statistic(r, t, m, k, "controlled_mean", &r->control.mean[at], stream);
     write_statistic(r, t, m, k, "standard_deviation", &s->standard_deviation[at], stream);
     for (size_t q = 0; q < PDMC_QUANTILES; q++) {
         char level[16];

@@ -79,6 +79,30 @@ static json_t *direction(const pdmc_results *r, int tip)
     return object;
 }
 
+static json_t *controlled(const pdmc_results *r, int tip)
+{
+    const size_t count = (size_t)r->angle_count, at = pdmc_place(r, tip, 0);
+    const pdmc_control_results *c = &r->control;
+    json_t *object = json_object();
+    pdmc_json_put(&object, "measure", pdmc_json_text(pdmc_measure_names[r->measure]));
+    pdmc_json_put(&object, "probability", pdmc_json_estimate(&c->probability[tip]));
+    pdmc_json_put(&object, "probability_gain", pdmc_json_number(c->probability_gain[tip]));
+    pdmc_json_put(&object, "mean", parts(count, 1, &c->mean[at], value_of));
+    pdmc_json_put(&object, "mean_interval", intervals(count, 1, &c->mean[at]));
+    pdmc_json_put(&object, "mean_gain", pdmc_json_numbers(count, &c->mean_gain[at]));
+    pdmc_json_put(&object, "correlation", pdmc_json_numbers(count, &c->correlation[at]));
+    return object;
+}
+
+static json_t *control(const pdmc_control_results *c)
+{
+    json_t *object = json_object();
+    pdmc_json_put(&object, "samples", pdmc_json_number(c->samples));
+    pdmc_json_put(&object, "failed", pdmc_json_number(c->failed));
+    pdmc_json_put(&object, "advised_samples", pdmc_json_number(c->advised_samples));
+    return object;
+}
+
 static json_t *tips(const pdmc_results *r)
 {
     json_t *array = json_array();
@@ -95,6 +119,7 @@ static json_t *tips(const pdmc_results *r)
         pdmc_json_put(&object, "probability", pdmc_json_estimate(&r->probability[t]));
         if (r->conditional_probability)
             pdmc_json_put(&object, "conditional_probability", pdmc_json_estimate(&r->conditional_probability[t]));
+        if (r->control.tip_count > 0) pdmc_json_put(&object, "controlled", controlled(r, t));
         pdmc_json_append(&array, object);
     }
     return array;
@@ -195,6 +220,7 @@ static void put_plate(const pdmc_results *r, json_t **object)
     if (r->kind == PDMC_DYNAMIC) pdmc_json_put(object, "motion", motion(r));
     pdmc_json_put(object, "solver", solver(&r->solver));
     if (r->reliability.group_count > 0) pdmc_json_put(object, "reliability", pdmc_json_reliability(&r->reliability));
+    if (r->control.tip_count > 0) pdmc_json_put(object, "control", control(&r->control));
     if (r->kind == PDMC_STATIC) pdmc_json_put(object, "accuracy", accuracy(&r->accuracy));
 }
 

@@ -64,6 +64,7 @@ json_t *pdmc_json_runtime(const pdmc_runtime *t)
     pdmc_json_put(&object, "sampling", pdmc_json_number(t->sampling));
     pdmc_json_put(&object, "energy", pdmc_json_number(t->energy));
     pdmc_json_put(&object, "reliability", pdmc_json_number(t->reliability));
+    pdmc_json_put(&object, "control", pdmc_json_number(t->control));
     pdmc_json_put(&object, "statistics", pdmc_json_number(t->statistics));
     pdmc_json_put(&object, "motion", pdmc_json_number(t->motion));
     pdmc_json_put(&object, "output", pdmc_json_number(t->output));

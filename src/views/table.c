@@ -161,6 +161,7 @@ static void print_energies(const pdmc_results *r, int tip, FILE *stream)
     fprintf(stream, "  P(G > G_c) = %s [%s, %s]\n", pdmc_brief(n[0], p->value), pdmc_brief(n[1], p->lower),
             pdmc_brief(n[2], p->upper));
     print_conditional(r, tip, stream);
+    pdmc_table_controlled_tip(r, tip, stream);
     if (r->angle_count == 0) return;
     print_directions(r, tip, stream);
     fprintf(stream, "  %-9.9s turn  angle  nominal     mean %21s       sd      5 %%     50 %%     95 %%\n",
@@ -212,6 +213,7 @@ static void print_foot(const pdmc_results *r, FILE *stream)
             s->condition, s->residual, pdmc_one_line(text[0], unit), s->horizon, s->spacing,
             pdmc_one_line(text[1], r->length_unit));
     print_accuracy(&r->accuracy, stream);
+    pdmc_table_control(r, stream);
     fprintf(stream, "seconds  assembly %.2f, factorisation %.2f, operators %.2f, energy rows %.2f,\n", t->assembly,
             t->factorisation, t->operators, t->energy_rows);
     if (r->kind == PDMC_DYNAMIC) {

@@ -16,6 +16,10 @@ const char *pdmc_one_line(char text[PDMC_LINE_SIZE], const char *from);
 /// Rare growth, where it was asked for.
 void pdmc_table_reliability(const pdmc_results *results, FILE *stream);
 
+/// A tip's mean and probability with a control, and what the control took; nothing where there is none.
+void pdmc_table_controlled_tip(const pdmc_results *r, int tip, FILE *stream);
+void pdmc_table_control(const pdmc_results *r, FILE *stream);
+
 /// What a dynamic study has: its last state, its probes, and the balance of its energy.
 void pdmc_table_motion(const pdmc_results *r, FILE *stream);
 

@@ -361,6 +361,30 @@ static void make_reliability(pdmc_results *r)
     r->runtime.reliability = 0.83;
 }
 
+/// A cheaper method, of whose samples none has failed.
+static void make_control(pdmc_results *r)
+{
+    pdmc_control_results *to = &r->control;
+    const int directions = r->tip_count * r->angle_count;
+    *to = (pdmc_control_results){
+        .tip_count = r->tip_count, .samples = 100000.0, .failed = 0.0, .advised_samples = 51050.4};
+    to->mean = NEW(directions, pdmc_estimate);
+    to->correlation = NEW(directions, double);
+    to->mean_gain = NEW(directions, double);
+    to->probability = NEW(r->tip_count, pdmc_estimate);
+    to->probability_gain = NEW(r->tip_count, double);
+    for (int i = 0; i < directions; i++) {
+        to->mean[i] = about(0.21 + 0.01 * i, 0.002);
+        to->correlation[i] = 0.999 - 0.01 * i;
+        to->mean_gain[i] = 87.5 - i;
+    }
+    for (int t = 0; t < r->tip_count; t++) {
+        to->probability[t] = about(0.35 + 0.01 * t, 0.02);
+        to->probability_gain[t] = 3.2 + t;
+    }
+    r->runtime.control = 1.52;
+}
+
 /// A plate on a spring of damping 0.3, mass and stiffness 1 that is loaded suddenly.
 static void make_motion(pdmc_results *r, int times)
 {
@@ -408,6 +432,7 @@ pdmc_results made_up_results(made_up_size size)
     make_statistics(&r);
     make_probabilities(&r);
     if (r.kind == PDMC_STATIC) make_reliability(&r);
+    if (r.kind == PDMC_STATIC) make_control(&r);
     if (r.kind == PDMC_DYNAMIC) make_motion(&r, size.times);
     return r;
 }

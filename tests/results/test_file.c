@@ -101,6 +101,20 @@ static void check_reliability(const pdmc_results *a, const pdmc_results *b)
     assert_memory_equal(&a->runtime.reliability, &b->runtime.reliability, sizeof(double));
 }
 
+static void check_control(const pdmc_results *a, const pdmc_results *b)
+{
+    const pdmc_control_results *x = &a->control, *y = &b->control;
+    const size_t tips = (size_t)a->tip_count, directions = tips * (size_t)a->angle_count;
+    assert_int_equal(x->tip_count, y->tip_count);
+    assert_memory_equal(&x->samples, &y->samples, 3 * sizeof(double));
+    assert_memory_equal(x->mean, y->mean, directions * sizeof(pdmc_estimate));
+    assert_memory_equal(x->correlation, y->correlation, directions * sizeof(double));
+    assert_memory_equal(x->mean_gain, y->mean_gain, directions * sizeof(double));
+    assert_memory_equal(x->probability, y->probability, tips * sizeof(pdmc_estimate));
+    assert_memory_equal(x->probability_gain, y->probability_gain, tips * sizeof(double));
+    assert_memory_equal(&a->runtime.control, &b->runtime.control, sizeof(double));
+}
+
 static void check_motion(const pdmc_motion_record *a, const pdmc_motion_record *b)
 {
     const size_t n = (size_t)a->time_count * sizeof(double), probes = (size_t)a->probe_count;
@@ -140,6 +154,7 @@ static void what_is_written_is_read(void **state)
         check_equal(&a, &b);
         check_fields(&a, &b);
         if (a.kind == PDMC_STATIC) check_reliability(&a, &b);
+        if (a.kind == PDMC_STATIC) check_control(&a, &b);
         if (a.kind == PDMC_DYNAMIC) check_motion(&a.motion, &b.motion);
         pdmc_results_clear(&a);
         pdmc_results_clear(&b);

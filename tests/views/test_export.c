@@ -48,7 +48,7 @@ static void every_number_has_its_row(void **state)
         "density_upper[cm/N],count,smooth_density[cm/N],smooth_density_lower[cm/N],smooth_density_upper[cm/N]\n",
         2 * 2 * 8 * 6);
     check_table("quantiles.csv", "tip,measure,angle[rad],statistic,value[N/cm],lower[N/cm],upper[N/cm]\n",
-                2 * 2 * 8 * 5);
+                2 * 2 * 8 * 5 + 2 * 8); // and the means with a control
     check_table("direction.csv", "tip,measure,angle[rad],probability,lower,upper\n", 2 * 8);
     check_table("samples.csv",
                 "sample,failure,load_factor,effective_modulus,contraction,center.from.K_I[N/cm^(3/2)],"

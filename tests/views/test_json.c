@@ -104,6 +104,11 @@ static void rare_growth_is_there(void **state)
     check_estimate(json_array_get(json_object_get(object, "tips"), 1), "conditional_probability",
                    &results.conditional_probability[1]);
     CHECK_NEAR(json_real_value(json_object_get(json_object_get(object, "runtime"), "reliability")), 0.83, 0.0);
+    const json_t *tip = json_array_get(json_object_get(object, "tips"), 0), *controlled = json_object_get(tip, "controlled");
+    CHECK_NEAR(json_real_value(json_array_get(json_object_get(controlled, "mean"), 1)), results.control.mean[1].value, 0.0);
+    CHECK_NEAR(json_real_value(json_array_get(json_object_get(controlled, "mean_gain"), 1)), 86.5, 0.0);
+    CHECK_NEAR(json_real_value(json_object_get(json_object_get(controlled, "probability"), "value")), 0.35, 0.0);
+    CHECK_NEAR(json_real_value(json_object_get(json_object_get(object, "control"), "samples")), 100000.0, 0.0);
     json_decref(object);
     pdmc_results_clear(&results);
 }

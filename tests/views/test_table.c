@@ -93,6 +93,25 @@ static void rare_growth_is_told_by_every_method(void **state)
     pdmc_results_clear(&results);
 }
 
+static void a_control_is_beside_what_it_controls(void **state)
+{
+    (void)state;
+    pdmc_results results = made_up_results(made_up_small);
+    char want[200];
+    const pdmc_estimate *mean = &results.control.mean[results.angle_count - 1]; // the largest, at the last angle
+    snprintf(want, sizeof want, "  mean Griffith at %.4g deg = %.4g [%.4g, %.4g], worth %.4g samples (R 0.",
+             results.angles[results.angle_count - 1] * 180.0 / 3.14159265358979, mean->value, mean->lower, mean->upper,
+             results.sample_count * results.control.mean_gain[results.angle_count - 1]);
+    EXPECT_PARTS(&results, want, "  P(G > G_c) = 0.35 [0.33, 0.37], worth 128 samples with the control\n", "control  100000 samples of a cheaper",
+                 "with some 5.1e+04 of them\n");
+    results.control.tip_count = 0;
+    char *text = captured(pdmc_view_table, &results);
+    assert_null(strstr(text, "control"));
+    free(text);
+    results.control.tip_count = results.tip_count;
+    pdmc_results_clear(&results);
+}
+
 static void the_models_error_is_beside_the_intervals(void **state)
 {
     (void)state;
@@ -176,6 +195,11 @@ static void it_fits_whatever_the_numbers(void **state)
         results.reliability.records[0].found.probability = (pdmc_estimate){1.234567e-12, 1.123456e-12, 1.345678e-12};
         results.reliability.groups[0].first = (pdmc_estimate){-1.234567e-12, -1.345678e-12, -1.123456e-12};
         results.reliability.groups[0].total = results.reliability.groups[0].first;
+        for (int k = 0; k < results.tip_count * results.angle_count; k++) {
+            results.control.mean[k] = (pdmc_estimate){1.234567e-12, 1.123456e-12, 1.345678e-12};
+            results.control.correlation[k] = 0.0999321;
+            results.control.mean_gain[k] = 1234.567;
+        }
         char *text = captured(pdmc_view_table, &results);
         check_width(text);
         free(text);
@@ -243,6 +267,7 @@ int main(void)
         cmocka_unit_test(it_says_what_a_person_asks),
         cmocka_unit_test(it_fits_whatever_the_numbers),
         cmocka_unit_test(rare_growth_is_told_by_every_method),
+        cmocka_unit_test(a_control_is_beside_what_it_controls),
         cmocka_unit_test(the_models_error_is_beside_the_intervals),
         cmocka_unit_test(a_random_toughness_has_a_range),
         cmocka_unit_test(a_motion_ends_somewhere),
