@@ -16,6 +16,7 @@ static const double seconds_per_factor_entry = 0.22e-9;   // of a solution, in b
 static const double seconds_per_bond_product = 0.4e-9;    // of K times a vector, each bond from both its ends
 static const double seconds_of_a_reduced_sample = 0.5e-3; // with some 200 unknowns
 static const double seconds_per_direction = 30e-6;        // of a sample's energies
+static const double seconds_per_covariance = 17e-9;       // of two points of a random stiffness
 static const double seconds_per_distribution = 1.7e-3;    // intervals of a histogram
 static const double bytes_of_program = 30e6;
 
@@ -60,22 +61,36 @@ static double seconds_of_a_sample(const pdmc_problem *problem, const sizes *s)
     return 0.0;
 }
 
+// Of a random stiffness: two more plates a tip, and covariances of the nodes with squares of a tenth of its length.
+static double seconds_of_field(const pdmc_problem *problem, const pdmc_uncertainty *stiffness, const sizes *s,
+                               int threads)
+{
+    const double side = fmax(floor(0.1 * stiffness->covariance.length / problem->solver.spacing), 1.0);
+    const double squares = s->nodes / (side * side);
+    return 2.0 * problem->energy.tip_count * seconds_to_factor(s) +
+           seconds_per_covariance * squares * (squares + s->nodes) / threads;
+}
+
 pdmc_cost pdmc_bond_cost(const pdmc_problem *problem, int threads)
 {
     const sizes fine = count(problem, problem->solver.spacing), coarse = count(problem, 1.25 * problem->solver.spacing);
     const pdmc_uncertainty *noise = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_MICROMODULUS);
+    const pdmc_uncertainty *stiffness = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_STIFFNESS);
     const double samples = problem->sampling.samples, unknowns = 2.0 * fine.nodes;
     const double directions = problem->energy.tip_count * (double)problem->energy.angles;
     const double file = 8.0 * pdmc_problem_kept(problem) * (PDMC_MEASURES * directions + (noise ? noise->bins : 0.0));
     double seconds = seconds_to_factor(&fine) + (directions > 0.0 ? seconds_to_factor(&coarse) : 0.0);
     const double plates = pdmc_problem_moves_cracks(problem) ? samples : 0.0; // each with a block of its own
     const double columns = plates > 0.0 ? PDMC_BLOCK : 1.0;
+    if (stiffness) seconds += seconds_of_field(problem, stiffness, &fine, threads);
     seconds += plates * seconds_to_factor(&fine) / threads;
     seconds += columns * samples *
-               ((noise ? seconds_of_a_sample(problem, &fine) : 0.0) + directions * seconds_per_direction) / threads;
+               ((noise || stiffness ? seconds_of_a_sample(problem, &fine) : 0.0) + directions * seconds_per_direction) /
+               threads;
     seconds += PDMC_MEASURES * directions * seconds_per_distribution / threads;
     double bytes = 8.0 * (fine.entries + coarse.entries) + 26.0 * fine.bonds + 2.0 * file;
     bytes += 8.0 * PDMC_BLOCK * unknowns * 6.0 * threads;
+    bytes += stiffness ? 8.0 * stiffness->modes * fine.nodes : 0.0;
     return (pdmc_cost){.nodes = (int)fine.nodes,
                        .unknowns = (int)unknowns,
                        .rows = (int)unknowns,
