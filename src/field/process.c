@@ -132,7 +132,8 @@ pdmc_status pdmc_process_create(const pdmc_covariance *covariance, double length
     PDMC_NEW(made, 1);
     made->length = length;
     made->modes = modes;
-    made->degree = 12 + (int)ceil(M_PI_2 * modes); // half a wave needs pi / 2 degrees, and the ends of the interval some more
+    made->degree =
+        12 + (int)ceil(M_PI_2 * modes); // half a wave needs pi / 2 degrees, and the ends of the interval some more
     for (;;) {
         if (made->degree > PDMC_HIGHEST_DEGREE)
             PDMC_FAIL(PDMC_ERR_ARG, "%d modes of this covariance need polynomials up to the degree %d", modes,

@@ -60,7 +60,8 @@ pdmc_status pdmc_load_cases_create(const pdmc_problem *problem, pdmc_load_cases 
         const pdmc_uncertainty *noise = of_side(problem, PDMC_QUANTITY_LOAD_NOISE_LEFT, side);
         const double length = is_upright((pdmc_side)side) ? problem->plate.height : problem->plate.width;
         if (noise)
-            PDMC_TRY(pdmc_process_create(&noise->covariance, length, noise->variation, noise->modes, &cases->noise[side]));
+            PDMC_TRY(
+                pdmc_process_create(&noise->covariance, length, noise->variation, noise->modes, &cases->noise[side]));
     }
 done:
     if (status != PDMC_OK) pdmc_load_cases_clear(cases);
@@ -74,8 +75,7 @@ void pdmc_load_cases_clear(pdmc_load_cases *cases)
     *cases = (pdmc_load_cases){0};
 }
 
-void pdmc_load_traction(const pdmc_load_cases *cases, int index, pdmc_side side, const double x[2],
-                        double traction[2])
+void pdmc_load_traction(const pdmc_load_cases *cases, int index, pdmc_side side, const double x[2], double traction[2])
 {
     const pdmc_problem *problem = cases->problem;
     const pdmc_load_case *own = &cases->list[index];
@@ -85,7 +85,8 @@ void pdmc_load_traction(const pdmc_load_cases *cases, int index, pdmc_side side,
             if (problem->loads[l].side == side) t[k] += problem->loads[l].traction[k];
     const bool is_here = own->kind == PDMC_LOAD_GIVEN || own->side == side, is_turned = own->kind == PDMC_LOAD_TURNED;
     double factor = is_here ? 1.0 : 0.0;
-    if (is_here && own->kind == PDMC_LOAD_NOISE) factor = pdmc_process_mode(cases->noise[side], own->mode, x[is_upright(side)]);
+    if (is_here && own->kind == PDMC_LOAD_NOISE)
+        factor = pdmc_process_mode(cases->noise[side], own->mode, x[is_upright(side)]);
     traction[0] = factor * (is_turned ? -t[1] : t[0]);
     traction[1] = factor * (is_turned ? t[0] : t[1]);
 }

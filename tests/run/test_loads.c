@@ -2,7 +2,9 @@
 
 /// Loads that vary side by side, by the collocation and by bonds: samples against plates that are solved for one load each.
 
+#include "kansa/stiffness_form.h"
 #include "pdmc/discretisation.h"
+#include "run/family.h"
 #include "support/drawn_block.h"
 
 #include <cblas.h>
@@ -27,18 +29,19 @@ static void plate_make(plate *p, pdmc_method method)
                  .loads = {{PDMC_SIDE_TOP, {0.2, 1.0}}, {PDMC_SIDE_RIGHT, {0.5, 0.1}}},
                  .support = {PDMC_SIDE_BOTTOM, {true, true}, {0.0, 0.0}},
                  .tip = 1};
-    p->problem = (pdmc_problem){.plate = {4.0, 4.0, 1.0},
-                                .material = {1.0, PDMC_PLANE_STRESS, 1.0},
-                                .crack_count = 1,
-                                .cracks = &p->crack,
-                                .load_count = 2,
-                                .loads = p->loads,
-                                .support_count = 1,
-                                .supports = &p->support,
-                                .uncertainties = p->uncertainties,
-                                .solver = {.method = method, .spacing = 0.4, .horizon = 0.1},
-                                .sampling = {.seed = 5, .samples = B, .order = 4},
-                                .energy = {.tip_count = 1, .tips = &p->tip, .angles = 4, .extension = 0.025, .horizon = 0.1}};
+    p->problem =
+        (pdmc_problem){.plate = {4.0, 4.0, 1.0},
+                       .material = {1.0, PDMC_PLANE_STRESS, 1.0},
+                       .crack_count = 1,
+                       .cracks = &p->crack,
+                       .load_count = 2,
+                       .loads = p->loads,
+                       .support_count = 1,
+                       .supports = &p->support,
+                       .uncertainties = p->uncertainties,
+                       .solver = {.method = method, .spacing = 0.4, .horizon = 0.1},
+                       .sampling = {.seed = 5, .samples = B, .order = 4},
+                       .energy = {.tip_count = 1, .tips = &p->tip, .angles = 4, .extension = 0.025, .horizon = 0.1}};
     pdmc_solver_options *solver = &p->problem.solver;
     if (method == PDMC_METHOD_KANSA) {
         solver->shape = 2.4;
@@ -62,10 +65,8 @@ static pdmc_uncertainty scalar(pdmc_quantity quantity, double location, double s
 
 static pdmc_uncertainty noise(pdmc_side side, pdmc_covariance_kind kind, double length, int modes)
 {
-    return (pdmc_uncertainty){(pdmc_quantity)((int)PDMC_QUANTITY_LOAD_NOISE_LEFT + (int)side),
-                              .variation = 0.3,
-                              .covariance = {.kind = kind, .length = length},
-                              .modes = modes};
+    return (pdmc_uncertainty){(pdmc_quantity)((int)PDMC_QUANTITY_LOAD_NOISE_LEFT + (int)side), .variation = 0.3,
+                              .covariance = {.kind = kind, .length = length}, .modes = modes};
 }
 
 typedef struct {
@@ -280,6 +281,138 @@ static void every_inverse_has_all_loads(void **state)
     }
 }
 
+// The crack models of the collocation that are slower, at their coarsest.
+static void choose_crack_model(plate *p, pdmc_crack_model crack_model)
+{
+    pdmc_solver_options *solver = &p->problem.solver;
+    solver->crack_model = crack_model;
+    solver->refinement = 2;
+    solver->edge_layer = 0.1;
+    if (crack_model == PDMC_CRACKS_VISIBLE) solver->horizon = p->problem.energy.horizon = 0.28;
+    if (crack_model == PDMC_CRACKS_PAPER) solver->horizon = 0.5, solver->shape = 0.1;
+}
+
+static void add_two(plate *p)
+{
+    p->uncertainties[0] = scalar(PDMC_QUANTITY_LOAD_DIRECTION_TOP, 0.0, 10.0);
+    p->uncertainties[1] = noise(PDMC_SIDE_RIGHT, PDMC_COVARIANCE_GAUSSIAN, 1e4, 1);
+    p->problem.uncertainty_count = 2;
+}
+
+// Their cases one by one: what the answer to a turned load is, and to noise that is long.
+static void every_crack_model_has_the_cases(void **state)
+{
+    (void)state;
+    for (int which = PDMC_CRACKS_PAPER; which <= PDMC_CRACKS_VISIBLE; which++) {
+        plate p;
+        solved s;
+        double turned[2], given[2], top[2], K[2];
+        plate_make(&p, PDMC_METHOD_KANSA);
+        choose_crack_model(&p, (pdmc_crack_model)which);
+        solve_alone(&p, PDMC_SIDE_TOP, -1.0, 0.2, turned);
+        add_two(&p);
+        open_model(&p.problem, &s);
+        assert_int_equal(s.model.cases, 5); // held, given, noise on the right side, the top, the top turned
+        intensities_of(&s.model, 4, K);
+        for (int k = 0; k < 2; k++) CHECK_NEAR(K[k], turned[k], 1e-6 * fabs(turned[0]));
+        intensities_of(&s.model, 1, given);
+        intensities_of(&s.model, 3, top);
+        intensities_of(&s.model, 2, K);
+        for (int k = 0; k < 2; k++) CHECK_NEAR(K[k], 0.3 * (given[k] - top[k]), 1e-6 * fabs(turned[0]));
+        close_model(&s);
+    }
+}
+
+// K of a case in the weak form, where K_0 is the identity.
+static void weak_intensities(const pdmc_problem *problem, int index, double K[2])
+{
+    pdmc_kansa *kansa = NULL;
+    pdmc_kansa_form *form = NULL;
+    CHECK_OK(pdmc_kansa_create(problem, NULL, 1, &kansa));
+    CHECK_OK(pdmc_kansa_form_create(kansa, &form));
+    const int n = form->unknowns;
+    for (int k = 0; k < 2; k++)
+        K[k] = cblas_ddot(n, &form->intensity[k * n], 1, &form->load[(size_t)index * (size_t)n], 1);
+    pdmc_kansa_form_destroy(&form);
+    pdmc_kansa_destroy(&kansa);
+}
+
+static void the_weak_form_has_the_cases(void **state)
+{
+    (void)state;
+    plate p, alone;
+    double want[2], K[2];
+    plate_make(&alone, PDMC_METHOD_KANSA);
+    alone.loads[0] = (pdmc_load){PDMC_SIDE_TOP, {-1.0, 0.2}};
+    alone.problem.load_count = 1;
+    weak_intensities(&alone.problem, 0, want);
+    plate_make(&p, PDMC_METHOD_KANSA);
+    add_two(&p);
+    weak_intensities(&p.problem, 3, K);
+    for (int k = 0; k < 2; k++) CHECK_NEAR(K[k], want[k], 1e-6 * fabs(want[0]));
+    alone.loads[0] = p.loads[1];
+    weak_intensities(&alone.problem, 0, want);
+    weak_intensities(&p.problem, 1, K);
+    for (int k = 0; k < 2; k++) CHECK_NEAR(K[k], 0.3 * want[k], 1e-6 * fabs(want[0]));
+}
+
+// K of a block of samples with factor, direction and noise.
+static void solve_block(const pdmc_problem *problem, const pdmc_affine_family *family, int threads, int count,
+                        double K[2 * B])
+{
+    solved s;
+    drawn_block samples;
+    CHECK_OK(pdmc_discretise(problem, threads, &s.plate));
+    CHECK_OK(s.plate.verbs->affine(s.plate.method, &s.model));
+    s.model.family = family;
+    pdmc_block *block = drawn_block_begin(&samples, problem, &s.model, count);
+    CHECK_OK(pdmc_block_solve(block, count));
+    pdmc_block_energies(block, PDMC_BONDS_ALL);
+    for (int c = 0; c < count; c++) assert_int_equal(block->failure[c], PDMC_SAMPLE_OK);
+    memcpy(K, block->intensity, 2 * B * sizeof *K);
+    drawn_block_end(&samples);
+    close_model(&s);
+}
+
+static void make_varied(plate *p, pdmc_method method)
+{
+    plate_make(p, method);
+    p->uncertainties[0] = scalar(PDMC_QUANTITY_LOAD_TOP, 1.0, 0.2);
+    p->uncertainties[1] = scalar(PDMC_QUANTITY_LOAD_DIRECTION_RIGHT, 0.0, 20.0);
+    p->uncertainties[2] = noise(PDMC_SIDE_TOP, PDMC_COVARIANCE_EXPONENTIAL, 1.0, 6);
+    p->problem.uncertainty_count = 3;
+}
+
+static void threads_change_no_bit(void **state)
+{
+    (void)state;
+    for (int m = 0; m < 2; m++) {
+        plate p;
+        double one[2 * B], three[2 * B];
+        make_varied(&p, methods[m]);
+        solve_block(&p.problem, NULL, 1, B, one);
+        solve_block(&p.problem, NULL, 3, B, three);
+        assert_memory_equal(one, three, sizeof one);
+    }
+}
+
+// A crack that moves by nothing gives every sample a plate of its own, with the same loads.
+static void plates_of_their_own_have_all_loads(void **state)
+{
+    (void)state;
+    enum { COUNT = 3 };
+    plate p;
+    double fixed[2 * B], own[2 * B];
+    make_varied(&p, PDMC_METHOD_KANSA);
+    solve_block(&p.problem, NULL, 1, COUNT, fixed);
+    p.uncertainties[3] = scalar(PDMC_QUANTITY_CRACK_X, 0.0, 0.0);
+    p.problem.uncertainty_count = 4;
+    const pdmc_affine_family family = pdmc_plate_family(&p.problem, 1);
+    solve_block(&p.problem, &family, 1, COUNT, own);
+    for (int k = 0; k < 2; k++)
+        for (int c = 0; c < COUNT; c++) CHECK_NEAR(own[k * B + c], fixed[k * B + c], rounding[0] * fixed[c]);
+}
+
 static void what_would_not_balance_is_refused(void **state)
 {
     (void)state;
@@ -287,13 +420,13 @@ static void what_would_not_balance_is_refused(void **state)
         pdmc_quantity quantity;
         bool holds_x, holds_y, is_refused;
     } cases[] = {
-        {PDMC_QUANTITY_LOAD_TOP, false, false, true},           // the plate is free
-        {PDMC_QUANTITY_LOAD_TOP, false, true, false},           // the bottom takes the force, the plate slides in x alone
-        {PDMC_QUANTITY_LOAD_DIRECTION_TOP, false, true, true},  // which a turned load would make it do
-        {PDMC_QUANTITY_LOAD_DIRECTION_TOP, true, true, false},  //
-        {PDMC_QUANTITY_LOAD_NOISE_TOP, false, true, false},     //
-        {PDMC_QUANTITY_LOAD_NOISE_TOP, false, false, true},     //
-        {PDMC_QUANTITY_LOAD_LEFT, true, true, true},            // which is not loaded
+        {PDMC_QUANTITY_LOAD_TOP, false, false, true}, // the plate is free
+        {PDMC_QUANTITY_LOAD_TOP, false, true, false}, // the bottom takes the force, the plate slides in x alone
+        {PDMC_QUANTITY_LOAD_DIRECTION_TOP, false, true, true}, // which a turned load would make it do
+        {PDMC_QUANTITY_LOAD_DIRECTION_TOP, true, true, false}, //
+        {PDMC_QUANTITY_LOAD_NOISE_TOP, false, true, false},    //
+        {PDMC_QUANTITY_LOAD_NOISE_TOP, false, false, true},    //
+        {PDMC_QUANTITY_LOAD_LEFT, true, true, true},           // which is not loaded
     };
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
         plate p;
@@ -317,6 +450,10 @@ int main(void)
         cmocka_unit_test(sampled_noise_has_the_variance_of_its_modes),
         cmocka_unit_test(long_noise_is_a_factor_of_its_side),
         cmocka_unit_test(every_inverse_has_all_loads),
+        cmocka_unit_test(every_crack_model_has_the_cases),
+        cmocka_unit_test(the_weak_form_has_the_cases),
+        cmocka_unit_test(threads_change_no_bit),
+        cmocka_unit_test(plates_of_their_own_have_all_loads),
         cmocka_unit_test(what_would_not_balance_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
