@@ -12,7 +12,9 @@
 
 static const double share_left_out = 0.2; // of the error that is allowed: smaller directions do not enter the basis
 
-enum { B = PDMC_BLOCK, CAPACITY = PDMC_REDUCED_CAPACITY, MOST_ROUNDS = 24, MOST_OF_A_ROUND = B / 2 };
+enum { B = PDMC_BLOCK, CAPACITY = PDMC_REDUCED_CAPACITY, MOST_ROUNDS = 12, MOST_OF_A_ROUND = 3 * B / 4, PART = B / 4 };
+
+static const double margin = 0.6; // of the goal that training samples meet: the worst of thousands is worse than theirs
 
 static const uint64_t training_samples = UINT64_C(1) << 63; // the first; far from those of any study
 
@@ -20,8 +22,8 @@ pdmc_status pdmc_reduced_builder_create(const pdmc_reduced_goal *goal, pdmc_redu
 {
     pdmc_status status = PDMC_OK;
     const size_t n = (size_t)b->n, terms = (size_t)b->full->terms;
-    const int sides = goal->intensity ? 1 + 2 * b->full->tips : 1;
-    PDMC_TRY(pdmc_reduced_system_create(b->full, sides, &b->system));
+    PDMC_TRY(pdmc_reduced_system_create(b->full, goal, &b->system));
+    const int sides = b->system->sides;
     PDMC_NEW(b->probe, (PDMC_PROBES + CAPACITY) * n);
     b->basis = b->probe + PDMC_PROBES * n;
     PDMC_NEW(b->image, CAPACITY * n);
@@ -29,7 +31,7 @@ pdmc_status pdmc_reduced_builder_create(const pdmc_reduced_goal *goal, pdmc_redu
     PDMC_NEW(b->block, B * n);
     PDMC_NEW(b->product, B * n);
     PDMC_NEW(b->overlap, B * CAPACITY);
-    PDMC_TRY(pdmc_draws_create(b->variables, &b->training));
+    PDMC_NEW(b->training, PDMC_TRAINING * terms);
     PDMC_NEW(b->xi, B * terms);
     PDMC_NEW(b->none, B * terms);
     PDMC_NEW(b->allowed, sides);
@@ -46,7 +48,7 @@ void pdmc_reduced_builder_clear(pdmc_reduced_builder *b)
     pdmc_free(b->block);
     pdmc_free(b->product);
     pdmc_free(b->overlap);
-    pdmc_draws_clear(&b->training);
+    pdmc_free(b->training);
     pdmc_free(b->xi);
     pdmc_free(b->none);
     pdmc_free(b->allowed);
@@ -82,24 +84,19 @@ static pdmc_status make_loads(pdmc_reduced_builder *b)
     return PDMC_OK;
 }
 
-// Others in every round: the samples of the last one are in the basis, and say nothing of those that are not.
-static pdmc_status draw_training(pdmc_reduced_builder *b, int round)
-{
-    for (int s = 0; s < B; s++)
-        pdmc_variables_sample(b->variables, training_samples + (uint64_t)(round * B + s),
-                              &b->training.z[s * b->variables->count]);
-    return pdmc_variables_draw(b->variables, B, b->training.z, b->training.draw);
-}
-
-// block -= V (K_0 V)' block
+// block -= V (K_0 V)' block, some vectors at a time.
 static void project_out(pdmc_reduced_builder *b)
 {
     const int n = b->n, r = b->system->dimension;
     if (r == 0) return;
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, B, r, n, 1.0, b->block, n, b->image, n, 0.0, b->overlap,
-                CAPACITY);
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, B, n, r, -1.0, b->overlap, CAPACITY, b->basis, n, 1.0,
-                b->block, n);
+#pragma omp parallel for schedule(static) num_threads(b->threads)
+    for (int first = 0; first < B; first += PART) {
+        double *block = &b->block[(size_t)first * (size_t)n], *overlap = &b->overlap[first * CAPACITY];
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, PART, r, n, 1.0, block, n, b->image, n, 0.0, overlap,
+                    CAPACITY);
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, PART, n, r, -1.0, overlap, CAPACITY, b->basis, n, 1.0,
+                    block, n);
+    }
 }
 
 // Scratch of one thread: blocks, coefficients that select a term, and what the images have in the basis.
@@ -277,23 +274,34 @@ static void share_out(const pdmc_reduced_goal *goal, pdmc_reduced_builder *b)
     for (int k = 1; k < system->sides; k++) b->allowed[k] = goal->intensity[(k - 1) / 2] / (sqrt(2.0) * b->allowed[0]);
 }
 
+// V y of the training samples and right-hand sides that are chosen, and their coefficients.
+static void expand_chosen(pdmc_reduced_builder *b, const double y[], const size_t chosen[B])
+{
+    const size_t n = (size_t)b->n, r = (size_t)b->system->dimension, sides = (size_t)b->system->sides;
+    const size_t terms = (size_t)b->full->terms;
+    for (size_t c = 0; c < B; c++) {
+        memcpy(&b->overlap[c * CAPACITY], &y[chosen[c] * r], r * sizeof *y);
+        memcpy(&b->xi[c * terms], &b->training[chosen[c] / sides * terms], terms * sizeof *b->xi);
+    }
+#pragma omp parallel for schedule(static) num_threads(b->threads)
+    for (size_t first = 0; first < B; first += PART)
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, PART, (int)n, (int)r, 1.0, &b->overlap[first * CAPACITY],
+                    CAPACITY, b->basis, (int)n, 0.0, &b->block[first * n], (int)n);
+}
+
 // The block becomes the preconditioned residuals K_0^-1 (F - K(xi) V y) of those of the training samples and right-hand
 // sides whose errors are the largest shares of what is allowed, as shares of it. Samples without a bound are left out.
 static pdmc_status residuals(pdmc_reduced_builder *b, const double y[], const double error[])
 {
     pdmc_status status = PDMC_OK;
-    const int n = b->n, r = b->system->dimension, sides = b->system->sides, terms = b->full->terms;
-    double *share = NULL, *coordinates = NULL;
+    const int n = b->n, sides = b->system->sides;
+    double *share = NULL;
     size_t chosen[B];
-    PDMC_NEW(share, B * sides);
-    PDMC_NEW(coordinates, B * r);
-    for (int k = 0; k < B * sides; k++) share[k] = isfinite(error[k]) ? error[k] / b->allowed[k % sides] : 0.0;
-    gsl_sort_largest_index(chosen, B, share, 1, (size_t)(B * sides));
-    for (int c = 0; c < B; c++) {
-        memcpy(&coordinates[c * r], &y[(int)chosen[c] * r], (size_t)r * sizeof *y);
-        memcpy(&b->xi[c * terms], &b->training.xi[(int)chosen[c] / sides * terms], (size_t)terms * sizeof *b->xi);
-    }
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, B, n, r, 1.0, coordinates, r, b->basis, n, 0.0, b->block, n);
+    PDMC_NEW(share, PDMC_TRAINING * sides);
+    for (int k = 0; k < PDMC_TRAINING * sides; k++)
+        share[k] = isfinite(error[k]) ? error[k] / b->allowed[k % sides] : 0.0;
+    gsl_sort_largest_index(chosen, B, share, 1, (size_t)(PDMC_TRAINING * sides));
+    expand_chosen(b, y, chosen);
     PDMC_TRY(b->full->verbs->multiply(b->full, 1.0, b->xi, b->block, b->product));
     for (int c = 0; c < B; c++) {
         const int side = (int)chosen[c] % sides;
@@ -305,30 +313,44 @@ static pdmc_status residuals(pdmc_reduced_builder *b, const double y[], const do
     PDMC_TRY(b->full->verbs->precondition(b->full, b->product, b->block));
 done:
     pdmc_free(share);
-    pdmc_free(coordinates);
     return status;
 }
 
-// The largest share of the goal that the bounds of a sample have.
-static double share_of_goal(const pdmc_reduced_goal *goal, int tips, const double error[])
+// Draws and solves a block of training samples.
+static pdmc_status train_block(const pdmc_reduced_builder *b, uint64_t first, double xi[], double y[], double error[])
 {
-    double worst = 0.0;
-    if (!goal->intensity) return error[0] / goal->error;
-    for (int t = 0; t < tips; t++)
-        worst = fmax(worst, error[0] * hypot(error[1 + 2 * t], error[2 + 2 * t]) / goal->intensity[t]);
-    return worst;
+    pdmc_status status = PDMC_OK;
+    pdmc_draws drawn = {0};
+    double alpha[B];
+    PDMC_TRY(pdmc_draws_create(b->variables, &drawn));
+    for (int s = 0; s < B; s++)
+        pdmc_variables_sample(b->variables, first + (uint64_t)s, &drawn.z[s * b->variables->count]);
+    PDMC_TRY(pdmc_variables_draw(b->variables, B, drawn.z, drawn.draw));
+    memcpy(xi, drawn.xi, (size_t)(B * b->full->terms) * sizeof *xi);
+    PDMC_TRY(pdmc_reduced_system_solve(b->system, xi, y, error, alpha));
+done:
+    pdmc_draws_clear(&drawn);
+    return status;
 }
 
-// Solves the training samples; tells the largest share of the goal, of those that have bounds.
-static pdmc_status train(const pdmc_reduced_goal *goal, pdmc_reduced_builder *b, double y[], double error[],
-                         double *worst)
+// Solves training samples, others in every round: those of the last one are in the basis, and say nothing of others. Tells
+// the largest share of the goal, of those that have bounds.
+static pdmc_status train(pdmc_reduced_builder *b, int round, double y[], double error[], double *worst)
 {
-    double alpha[B];
-    const int sides = b->system->sides;
-    const pdmc_status status = pdmc_reduced_system_solve(b->system, b->training.xi, y, error, alpha);
+    pdmc_status status = PDMC_OK;
+    const size_t sides = (size_t)b->system->sides, r = (size_t)b->system->dimension, terms = (size_t)b->full->terms;
+#pragma omp parallel for schedule(dynamic) num_threads(b->threads)
+    for (size_t s = 0; s < PDMC_TRAINING; s += B) {
+        const uint64_t first = training_samples + (uint64_t)round * PDMC_TRAINING + s;
+        const pdmc_status mine = train_block(b, first, &b->training[s * terms], &y[s * sides * r], &error[s * sides]);
+        if (mine != PDMC_OK) {
+#pragma omp critical(pdmc_reduced)
+            status = mine;
+        }
+    }
     *worst = 0.0;
-    for (int s = 0; s < B && status == PDMC_OK; s++)
-        if (isfinite(error[s * sides])) *worst = fmax(*worst, share_of_goal(goal, b->full->tips, &error[s * sides]));
+    for (size_t s = 0; s < PDMC_TRAINING && status == PDMC_OK; s++)
+        if (isfinite(error[s * sides])) *worst = fmax(*worst, pdmc_reduced_share(b->system, &error[s * sides]));
     return status;
 }
 
@@ -337,19 +359,20 @@ pdmc_status pdmc_reduced_build(const pdmc_reduced_goal *goal, pdmc_reduced_build
     pdmc_status status = PDMC_OK;
     double *y = NULL, *error = NULL, worst = INFINITY;
     int added = 0;
-    PDMC_NEW(y, B * b->system->sides * CAPACITY);
-    PDMC_NEW(error, B * b->system->sides);
+    PDMC_NEW(y, (size_t)(PDMC_TRAINING * b->system->sides) * CAPACITY);
+    PDMC_NEW(error, PDMC_TRAINING * b->system->sides);
     PDMC_TRY(make_probes(b));
     PDMC_TRY(make_loads(b));
     PDMC_TRY(begin_basis(b, &added));
     share_out(goal, b);
-    for (int round = 0; round < MOST_ROUNDS && added > 0; round++) {
-        PDMC_TRY(draw_training(b, round));
-        PDMC_TRY(train(goal, b, y, error, &worst));
-        if (worst <= 1.0) break;
+    for (int round = 0; round < MOST_ROUNDS; round++) {
+        PDMC_TRY(train(b, round, y, error, &worst));
+        if (worst <= margin || added == 0) break;
         PDMC_TRY(residuals(b, y, error));
         PDMC_TRY(enrich(b, share_left_out, &added));
     }
+    PDMC_TRY(train(b, MOST_ROUNDS, y, error, &worst));
+    PDMC_TRY(pdmc_reduced_order(b, y));
 done:
     pdmc_free(y);
     pdmc_free(error);

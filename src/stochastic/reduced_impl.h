@@ -6,6 +6,7 @@
 
 enum {
     PDMC_PROBES = PDMC_BLOCK,
+    PDMC_TRAINING = 4 * PDMC_BLOCK, // samples of a round
     PDMC_REDUCED_CAPACITY = 6 * PDMC_BLOCK,
     PDMC_REDUCED_TRIANGLE = PDMC_REDUCED_CAPACITY * (PDMC_REDUCED_CAPACITY + 1) / 2,
 };
@@ -15,6 +16,9 @@ enum {
 typedef struct {
     const pdmc_affine *full;
     int dimension, terms, sides;
+    bool is_ordered;      // whether the first vectors are those that samples need most
+    double goal;          // of the error, where there are no intensities
+    double *intensity;    // [tips] goal, or NULL
     double *matrix;       // [1 + terms, triangle] v_i' K_m v_j, i <= j, by columns; the identity for m = 0
     double *load;         // [sides, capacity] V' F
     double *probe_matrix; // [1 + terms, capacity, PDMC_PROBES] z_k' K_m v_j
@@ -28,10 +32,16 @@ static inline size_t pdmc_triangle_column(size_t j)
     return j * (j + 1) / 2;
 }
 
-PDMC_NODISCARD pdmc_status pdmc_reduced_system_create(const pdmc_affine *full, int sides, pdmc_reduced_system **system);
+PDMC_NODISCARD pdmc_status pdmc_reduced_system_create(const pdmc_affine *full, const pdmc_reduced_goal *goal,
+                                                      pdmc_reduced_system **system);
 void pdmc_reduced_system_destroy(void *system);
 
-/// Solves a block for all right-hand sides.
+/// The share of the goal that the bounds of a sample have.
+/// @param[in] error  [sides]
+double pdmc_reduced_share(const pdmc_reduced_system *system, const double error[]);
+
+/// Solves a block for all right-hand sides. In an ordered basis a sample takes half of the vectors, and more, a quarter at a
+/// time, until its bounds meet the goal or it has them all: the other coordinates are 0.
 /// @param[in]  xi     [PDMC_BLOCK, terms]
 /// @param[out] y      [PDMC_BLOCK, sides, dimension]
 /// @param[out] error  [PDMC_BLOCK, sides] bounds of sqrt(e' K(xi) e); infinite where K(xi) is not known to be positive
@@ -51,15 +61,20 @@ typedef struct {
     double *load;            // [sides] F
     double *block, *product; // [B]
     double *overlap;         // [B, PDMC_REDUCED_CAPACITY]
-    pdmc_draws training;
-    double *xi;      // [B, terms] of the block's columns
-    double *none;    // [B, terms] zero
-    double *allowed; // [sides] error of each right-hand side, of which directions are scaled
+    double *training;        // [PDMC_TRAINING, terms] xi of the training samples
+    double *xi;              // [B, terms] of the block's columns
+    double *none;            // [B, terms] zero
+    double *allowed;         // [sides] error of each right-hand side, of which directions are scaled
 } pdmc_reduced_builder;
 
-/// @param[in] goal  which right-hand sides there are
 PDMC_NODISCARD pdmc_status pdmc_reduced_builder_create(const pdmc_reduced_goal *goal, pdmc_reduced_builder *b);
 void pdmc_reduced_builder_clear(pdmc_reduced_builder *b);
+
+/// Turns the basis into the principal directions of the training samples' answers, the largest first, in shares of the
+/// errors that are allowed (proper orthogonal decomposition; Quarteroni, Manzoni & Negri, Reduced Basis Methods, 2016,
+/// section 6.3): the space stays the same, and most samples need its first part alone.
+/// @param[in] y  [PDMC_TRAINING, sides, dimension] answers
+PDMC_NODISCARD pdmc_status pdmc_reduced_order(pdmc_reduced_builder *b, const double y[]);
 
 /// Makes the basis and the system, until the bounds of the training samples' errors meet the goal.
 PDMC_NODISCARD pdmc_status pdmc_reduced_build(const pdmc_reduced_goal *goal, pdmc_reduced_builder *b);

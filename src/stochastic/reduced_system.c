@@ -12,16 +12,23 @@ enum { B = PDMC_BLOCK, CAPACITY = PDMC_REDUCED_CAPACITY, PROBES = PDMC_PROBES, P
 
 static const double failure_probability = 1e-9; // of the bound of one sample
 
-pdmc_status pdmc_reduced_system_create(const pdmc_affine *full, int sides, pdmc_reduced_system **system)
+pdmc_status pdmc_reduced_system_create(const pdmc_affine *full, const pdmc_reduced_goal *goal,
+                                       pdmc_reduced_system **system)
 {
     pdmc_status status = PDMC_OK;
+    const int sides = goal->intensity ? 1 + 2 * full->tips : 1;
     const size_t operators = 1 + (size_t)full->terms;
     pdmc_reduced_system *made = NULL;
     PDMC_NEW(made, 1);
     made->full = full;
     made->terms = full->terms;
     made->sides = sides;
+    made->goal = goal->error;
     made->quantile = gsl_cdf_chisq_Pinv(failure_probability, PROBES);
+    if (goal->intensity) {
+        PDMC_NEW(made->intensity, full->tips);
+        memcpy(made->intensity, goal->intensity, (size_t)full->tips * sizeof *made->intensity);
+    }
     PDMC_NEW(made->matrix, operators * PDMC_REDUCED_TRIANGLE);
     PDMC_NEW(made->load, (size_t)sides * CAPACITY);
     PDMC_NEW(made->probe_matrix, operators * CAPACITY * PROBES);
@@ -38,6 +45,7 @@ void pdmc_reduced_system_destroy(void *system)
 {
     pdmc_reduced_system *old = system;
     if (!old) return;
+    pdmc_free(old->intensity);
     pdmc_free(old->matrix);
     pdmc_free(old->load);
     pdmc_free(old->probe_matrix);
@@ -45,12 +53,22 @@ void pdmc_reduced_system_destroy(void *system)
     pdmc_free(old);
 }
 
-// What a panel is solved with.
+double pdmc_reduced_share(const pdmc_reduced_system *system, const double error[])
+{
+    double largest = 0.0;
+    if (!system->intensity) return error[0] / system->goal;
+    for (int t = 0; t < system->full->tips; t++)
+        largest = fmax(largest, error[0] * hypot(error[1 + 2 * t], error[2 + 2 * t]) / system->intensity[t]);
+    return largest;
+}
+
+// What a panel is solved with, by the first d vectors.
 typedef struct {
     double *coefficient; // [PANEL, 1 + terms] 1 and xi
-    double *triangle;    // [PANEL, r (r + 1) / 2] A = V' K(xi) V
-    double *probes;      // [PANEL, r, PROBES] z' K(xi) V
-    double *factor;      // [r, r] of one sample
+    double *triangle;    // [PANEL, d (d + 1) / 2] A = V' K(xi) V
+    double *probes;      // [PANEL, d, PROBES] z' K(xi) V
+    double *factor;      // [d, d] of one sample
+    double *answer;      // [sides, d] of one sample
     double *residual;    // [sides, PROBES] of one sample
 } workspace;
 
@@ -63,6 +81,7 @@ static pdmc_status workspace_create(const pdmc_reduced_system *system, workspace
     PDMC_NEW(work->triangle, PANEL * pdmc_triangle_column(r));
     PDMC_NEW(work->probes, PANEL * r * PROBES);
     PDMC_NEW(work->factor, r * r);
+    PDMC_NEW(work->answer, (size_t)system->sides * r);
     PDMC_NEW(work->residual, system->sides * PROBES);
 done:
     return status;
@@ -74,60 +93,71 @@ static void workspace_clear(workspace *work)
     pdmc_free(work->triangle);
     pdmc_free(work->probes);
     pdmc_free(work->factor);
+    pdmc_free(work->answer);
     pdmc_free(work->residual);
 }
 
-// The operators of a panel: sums over the terms, for all entries at once.
-static void assemble(const pdmc_reduced_system *system, const double xi[], workspace *work)
+// The operators of a panel: sums over the terms, for all entries at once. A panel that is not full has the mean's as well.
+static void assemble(const pdmc_reduced_system *system, int d, int count, const int sample[], const double xi[],
+                     workspace *work)
 {
-    const int r = system->dimension, terms = system->terms, operators = 1 + terms;
-    const int entries = (int)pdmc_triangle_column((size_t)r), products = r * PROBES;
-    for (int s = 0; s < PANEL; s++) {
-        work->coefficient[s * operators] = 1.0;
-        memcpy(&work->coefficient[s * operators + 1], &xi[s * terms], (size_t)terms * sizeof *xi);
-    }
+    const int terms = system->terms, operators = 1 + terms;
+    const int entries = (int)pdmc_triangle_column((size_t)d), products = d * PROBES;
+    memset(work->coefficient, 0, (size_t)(PANEL * operators) * sizeof *work->coefficient);
+    for (int p = 0; p < PANEL; p++) work->coefficient[p * operators] = 1.0;
+    for (int p = 0; p < count; p++)
+        memcpy(&work->coefficient[p * operators + 1], &xi[sample[p] * terms], (size_t)terms * sizeof *xi);
     cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, PANEL, entries, operators, 1.0, work->coefficient, operators,
                 system->matrix, PDMC_REDUCED_TRIANGLE, 0.0, work->triangle, entries);
     cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, PANEL, products, operators, 1.0, work->coefficient,
                 operators, system->probe_matrix, CAPACITY * PROBES, 0.0, work->probes, products);
 }
 
-// y = A^-1 f for all right-hand sides, [sides, r]. False where A is not positive definite.
-static bool solve_one(const pdmc_reduced_system *system, const double triangle[], double factor[], double y[])
+// A^-1 f for all right-hand sides. False where A is not positive definite.
+static bool solve_one(const pdmc_reduced_system *system, int d, const double triangle[], workspace *work)
 {
-    const int r = system->dimension;
-    for (int j = 0; j < r; j++)
-        memcpy(&factor[(size_t)j * (size_t)r], &triangle[pdmc_triangle_column((size_t)j)],
-               (size_t)(j + 1) * sizeof *factor);
-    for (int k = 0; k < system->sides; k++) memcpy(&y[k * r], &system->load[k * CAPACITY], (size_t)r * sizeof *y);
-    if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', r, factor, r) != 0) return false;
-    return LAPACKE_dpotrs_work(LAPACK_COL_MAJOR, 'U', r, system->sides, factor, r, y, r) == 0;
+    for (int j = 0; j < d; j++)
+        memcpy(&work->factor[(size_t)j * (size_t)d], &triangle[pdmc_triangle_column((size_t)j)],
+               (size_t)(j + 1) * sizeof *triangle);
+    for (int k = 0; k < system->sides; k++)
+        memcpy(&work->answer[k * d], &system->load[k * CAPACITY], (size_t)d * sizeof *work->answer);
+    if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', d, work->factor, d) != 0) return false;
+    return LAPACKE_dpotrs_work(LAPACK_COL_MAJOR, 'U', d, system->sides, work->factor, d, work->answer, d) == 0;
 }
 
 // |z' K(xi) V y - z' F| of every right-hand side.
-static void probe_residuals(const pdmc_reduced_system *system, const double probes[], const double y[],
-                            double residual[], double norm[])
+static void probe_residuals(const pdmc_reduced_system *system, int d, const double probes[], workspace *work,
+                            double norm[])
 {
-    const int r = system->dimension, sides = system->sides;
-    memcpy(residual, system->probe_load, (size_t)(sides * PROBES) * sizeof *residual);
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, sides, PROBES, r, 1.0, y, r, probes, PROBES, -1.0, residual,
-                PROBES);
-    for (int k = 0; k < sides; k++) norm[k] = cblas_dnrm2(PROBES, &residual[k * PROBES], 1);
+    const int sides = system->sides;
+    memcpy(work->residual, system->probe_load, (size_t)(sides * PROBES) * sizeof *work->residual);
+    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, sides, PROBES, d, 1.0, work->answer, d, probes, PROBES, -1.0,
+                work->residual, PROBES);
+    for (int k = 0; k < sides; k++) norm[k] = cblas_dnrm2(PROBES, &work->residual[k * PROBES], 1);
 }
 
-static void solve_panel(const pdmc_reduced_system *system, const double xi[], workspace *work, double y[],
-                        double error[])
+static void store_answer(const pdmc_reduced_system *system, int d, const double answer[], double y[])
 {
-    const int r = system->dimension, sides = system->sides;
-    const size_t entries = pdmc_triangle_column((size_t)r);
-    assemble(system, xi, work);
-    for (int s = 0; s < PANEL; s++) {
-        double *answer = &y[s * sides * r];
-        if (solve_one(system, &work->triangle[(size_t)s * entries], work->factor, answer)) {
-            probe_residuals(system, &work->probes[s * r * PROBES], answer, work->residual, &error[s * sides]);
-        } else {
-            for (int k = 0; k < sides; k++) error[s * sides + k] = INFINITY;
-        }
+    const size_t r = (size_t)system->dimension;
+    memset(y, 0, (size_t)system->sides * r * sizeof *y);
+    for (size_t k = 0; k < (size_t)system->sides; k++) memcpy(&y[k * r], &answer[k * (size_t)d], (size_t)d * sizeof *y);
+}
+
+// Samples of a block by the first d vectors, at most a panel of them.
+static void solve_panel(const pdmc_reduced_system *system, int d, int count, const int sample[], const double xi[],
+                        const double alpha[], workspace *work, double y[], double error[])
+{
+    const int sides = system->sides;
+    assemble(system, d, count, sample, xi, work);
+    for (int p = 0; p < count; p++) {
+        double *mine = &error[sample[p] * sides];
+        const size_t triangle = (size_t)p * pdmc_triangle_column((size_t)d), probes = (size_t)(p * d) * PROBES;
+        const bool is_solved = solve_one(system, d, &work->triangle[triangle], work);
+        const bool is_bounded = is_solved && alpha[sample[p]] > 0.0;
+        if (is_solved) probe_residuals(system, d, &work->probes[probes], work, mine);
+        for (int k = 0; k < sides; k++)
+            mine[k] = is_bounded ? mine[k] / sqrt(system->quantile * alpha[sample[p]]) : INFINITY;
+        store_answer(system, d, work->answer, &y[(size_t)(sample[p] * sides) * (size_t)system->dimension]);
     }
 }
 
@@ -143,19 +173,33 @@ static pdmc_status find_coercivity(const pdmc_reduced_system *system, const doub
     return PDMC_OK;
 }
 
+// Keeps those whose bounds do not meet the goal; more vectors are of no help to samples without a bound.
+static int keep_unmet(const pdmc_reduced_system *system, const double error[], int count, int sample[])
+{
+    int kept = 0;
+    for (int k = 0; k < count; k++) {
+        const double *mine = &error[sample[k] * system->sides];
+        if (isfinite(mine[0]) && pdmc_reduced_share(system, mine) > 1.0) sample[kept++] = sample[k];
+    }
+    return kept;
+}
+
 pdmc_status pdmc_reduced_system_solve(const pdmc_reduced_system *system, const double xi[], double y[], double error[],
                                       double alpha[B])
 {
     pdmc_status status = PDMC_OK;
-    const int r = system->dimension, sides = system->sides;
+    const int r = system->dimension, quarter = (r + 3) / 4;
+    int sample[B], left = B;
     workspace work;
     PDMC_TRY(workspace_create(system, &work));
-    for (int s = 0; s < B; s += PANEL)
-        solve_panel(system, &xi[s * system->terms], &work, &y[s * sides * r], &error[s * sides]);
     PDMC_TRY(find_coercivity(system, xi, alpha));
-    for (int k = 0; k < B * sides; k++) {
-        const bool is_bounded = alpha[k / sides] > 0.0 && isfinite(error[k]);
-        error[k] = is_bounded ? error[k] / sqrt(system->quantile * alpha[k / sides]) : INFINITY;
+    for (int s = 0; s < B; s++) sample[s] = s;
+    for (int part = system->is_ordered ? 2 : 4; part <= 4 && left > 0; part++) {
+        const int d = part * quarter < r ? part * quarter : r;
+        for (int first = 0; first < left; first += PANEL)
+            solve_panel(system, d, left - first < PANEL ? left - first : PANEL, &sample[first], xi, alpha, &work, y,
+                        error);
+        left = keep_unmet(system, error, left, sample);
     }
 done:
     workspace_clear(&work);
