@@ -239,12 +239,15 @@ done:
     return status;
 }
 
-// The answers at the mean, some at a time.
+// The answers at the mean: that of the load is the model's own, those of the rows are found some at a time.
 static pdmc_status begin_basis(pdmc_reduced_builder *b, int *added)
 {
     pdmc_status status = PDMC_OK;
     const size_t n = (size_t)b->n;
-    for (int first = 0; first < b->system->sides; first += MOST_OF_A_ROUND) {
+    memset(b->block, 0, B * n * sizeof *b->block);
+    memcpy(b->block, pdmc_affine_solution(b->full, 1), n * sizeof *b->block);
+    PDMC_TRY(enrich(b, 0.0, added));
+    for (int first = 1; first < b->system->sides; first += MOST_OF_A_ROUND) {
         const int left = b->system->sides - first, count = left < MOST_OF_A_ROUND ? left : MOST_OF_A_ROUND;
         memset(b->product, 0, B * n * sizeof *b->product);
         memcpy(b->product, &b->load[(size_t)first * n], (size_t)count * n * sizeof *b->product);
@@ -365,13 +368,12 @@ pdmc_status pdmc_reduced_build(const pdmc_reduced_goal *goal, pdmc_reduced_build
     PDMC_TRY(make_loads(b));
     PDMC_TRY(begin_basis(b, &added));
     share_out(goal, b);
-    for (int round = 0; round < MOST_ROUNDS; round++) {
+    for (int round = 0;; round++) {
         PDMC_TRY(train(b, round, y, error, &worst));
-        if (worst <= margin || added == 0) break;
+        if (worst <= margin || added == 0 || round == MOST_ROUNDS) break;
         PDMC_TRY(residuals(b, y, error));
         PDMC_TRY(enrich(b, share_left_out, &added));
     }
-    PDMC_TRY(train(b, MOST_ROUNDS, y, error, &worst));
     PDMC_TRY(pdmc_reduced_order(b, y));
 done:
     pdmc_free(y);
