@@ -7,7 +7,7 @@
 
 #include "check.h"
 
-#include <stdlib.h>
+#include <gsl/gsl_sort.h>
 
 typedef enum { SAMPLE_NORMAL, SAMPLE_EXPONENTIAL, SAMPLE_LOGNORMAL } sample_kind;
 
@@ -24,15 +24,9 @@ static inline void draw_sample(sample_kind kind, uint64_t repetition, size_t n, 
     }
 }
 
-static inline int compare_doubles(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static inline void sort_sample(size_t n, double x[])
 {
-    qsort(x, n, sizeof *x, compare_doubles);
+    gsl_sort(x, 1, n);
 }
 
 /// Four standard deviations of the share of hits in a number of repetitions: passed by chance once in 16 000.

@@ -118,22 +118,32 @@ static void estimate_all(const function *f, bool independent, const double x[], 
 }
 
 /// The share of repetitions in which each interval holds, and the mean width.
-static void cover(const function *f, pdmc_design_kind kind, bool independent, double share[ESTIMATES],
-                  double width[ESTIMATES])
+typedef struct {
+    double share[ESTIMATES], width[ESTIMATES];
+} coverage;
+
+static void add_repetition(const function *f, bool independent, const double x[], coverage *found)
 {
     const double truth[ESTIMATES] = {mean_of(f), deviation_of(f), quantile_of(f, 0.95), 0.05};
-    for (int e = 0; e < ESTIMATES; e++) share[e] = width[e] = 0.0;
-    for (uint64_t seed = 0; seed < REPETITIONS; seed++) {
-        double x[LARGEST];
-        pdmc_estimate estimates[ESTIMATES];
-        draw(f, kind, seed, x);
-        estimate_all(f, independent, x, estimates);
-        for (int e = 0; e < ESTIMATES; e++) {
-            share[e] += holds(estimates[e], truth[e]);
-            width[e] += (estimates[e].upper - estimates[e].lower) / REPETITIONS;
-        }
+    pdmc_estimate estimates[ESTIMATES];
+    estimate_all(f, independent, x, estimates);
+    for (int e = 0; e < ESTIMATES; e++) {
+        found->share[e] += holds(estimates[e], truth[e]) / (double)REPETITIONS;
+        found->width[e] += (estimates[e].upper - estimates[e].lower) / REPETITIONS;
     }
-    for (int e = 0; e < ESTIMATES; e++) share[e] /= REPETITIONS;
+}
+
+static void check_coverage(const function *f, pdmc_design_kind kind, bool independent, const coverage *c)
+{
+    static const char *names[] = {"Monte Carlo", "Latin hypercube", "Sobol'"};
+    print_message("function %d, %zu samples, %s%s: mean %.3f (%.4f), deviation %.3f (%.4f), quantile %.3f (%.4f), "
+                  "probability %.3f (%.4f)\n",
+                  (int)f->kind, f->samples, names[kind], independent ? ", independent" : "", c->share[0], c->width[0],
+                  c->share[1], c->width[1], c->share[2], c->width[2], c->share[3], c->width[3]);
+    CHECK_NEAR(c->share[MEAN], 0.95, 0.02);
+    CHECK_NEAR(c->share[DEVIATION], 0.94, 0.04);
+    CHECK_NEAR(c->share[QUANTILE], 0.95, independent || f->samples < 1024 ? 0.025 : 0.02);
+    CHECK_NEAR(c->share[PROBABILITY], 0.95, independent ? 0.025 : 0.02);
 }
 
 /// At 95 %, 93 to 97 of 100 intervals hold of the mean, the 95 % quantile and a probability of 5 %; 1000 repetitions
@@ -148,21 +158,18 @@ static void intervals_cover_for_every_design(void **state)
                                          {LOAD_SQUARED, 2, 640},
                                          {SUM, 4, 640},
                                          {SMALLEST, 3, 1024}};
-    static const char *names[] = {"Monte Carlo", "Latin hypercube", "Sobol'"};
     for (int k = 0; k < 5; k++) {
-        for (int column = 0; column < 4; column++) {
-            const bool independent = column == 0;
-            const pdmc_design_kind kind = independent ? PDMC_DESIGN_MONTE_CARLO : (pdmc_design_kind)(column - 1);
-            double share[ESTIMATES], width[ESTIMATES];
-            cover(&functions[k], kind, independent, share, width);
-            print_message("function %d, %zu samples, %s%s: mean %.3f (%.4f), deviation %.3f (%.4f), quantile %.3f "
-                          "(%.4f), probability %.3f (%.4f)\n",
-                          (int)functions[k].kind, functions[k].samples, names[kind], independent ? ", independent" : "",
-                          share[0], width[0], share[1], width[1], share[2], width[2], share[3], width[3]);
-            CHECK_NEAR(share[MEAN], 0.95, 0.02);
-            CHECK_NEAR(share[DEVIATION], 0.94, 0.04);
-            CHECK_NEAR(share[QUANTILE], 0.95, independent || functions[k].samples < 1024 ? 0.025 : 0.02);
-            CHECK_NEAR(share[PROBABILITY], 0.95, independent ? 0.025 : 0.02);
+        for (int kind = 0; kind < 3; kind++) {
+            coverage by_replicates = {0}, by_samples = {0};
+            for (uint64_t seed = 0; seed < REPETITIONS; seed++) {
+                double x[LARGEST];
+                draw(&functions[k], (pdmc_design_kind)kind, seed, x);
+                add_repetition(&functions[k], false, x, &by_replicates);
+                if (kind == PDMC_DESIGN_MONTE_CARLO) add_repetition(&functions[k], true, x, &by_samples);
+            }
+            check_coverage(&functions[k], (pdmc_design_kind)kind, false, &by_replicates);
+            if (kind == PDMC_DESIGN_MONTE_CARLO)
+                check_coverage(&functions[k], PDMC_DESIGN_MONTE_CARLO, true, &by_samples);
         }
     }
 }
