@@ -138,11 +138,12 @@ static pdmc_estimate find_probability(const pdmc_results *results, const bool ev
 // Samples that failed have `otherwise`, or are left out where that is NaN.
 static size_t gather_given_rest(const pdmc_results *results, int tip, double otherwise, double x[])
 {
+    const size_t tips = (size_t)results->tip_count;
     size_t count = 0;
-    for (int s = 0; s < results->sample_count; s++) {
+    for (size_t s = 0; s < (size_t)results->sample_count; s++) {
         const bool is_solved = results->failure[s] == PDMC_SAMPLE_OK;
         if (is_solved || !isnan(otherwise))
-            x[count++] = is_solved ? results->growth_given_rest[s * results->tip_count + tip] : otherwise;
+            x[count++] = is_solved ? results->growth_given_rest[s * tips + (size_t)tip] : otherwise;
     }
     return count;
 }
