@@ -176,10 +176,42 @@ static void energies_of_bonds_have_their_own_stiffness(void **state)
     pdmc_bond_destroy(&v.bond);
 }
 
+// An oblique crack, whose tips have both modes: the rows at half a horizon measure the plate's own stress intensities, of
+// which their calibration by two other states knows nothing but the size. Measured: 0.4 % of the size.
+static void near_rows_have_both_modes(void **state)
+{
+    (void)state;
+    varying_plate v;
+    pdmc_affine model;
+    varying_plate_describe(&v, 60, 4.0);
+    v.crack = (pdmc_crack){"a", {-0.5, -0.3}, {0.5, 0.3}};
+    CHECK_OK(pdmc_bond_create(&v.problem, 2, &v.bond));
+    const int n = v.bond->unknowns, nodes = v.bond->plate.grid.nodes;
+    double *none = new_values((size_t)(TIPS * nodes));
+    const pdmc_bond_stiffness stiffness = {1, none, none};
+    CHECK_OK(pdmc_bond_affine(v.bond, &stiffness, &model));
+    for (int t = 0; t < TIPS; t++) {
+        pdmc_tip tip;
+        double K[2];
+        CHECK_OK(pdmc_bond_tip(v.bond, t, &tip));
+        for (int k = 0; k < 2; k++) K[k] = inner(n, &model.stress_intensity[(2 * t + k) * n], v.bond->mean);
+        const double size = hypot(tip.stress_intensity[0], tip.stress_intensity[1]);
+        print_message("  K_I %.4f, K_II %.4f beyond the horizon; %.4f, %.4f at half of it\n", tip.stress_intensity[0],
+                      tip.stress_intensity[1], K[0], K[1]);
+        assert_true(fabs(tip.stress_intensity[1]) > 0.2 * size);
+        CHECK_NEAR(hypot(K[0], K[1]), size, 1e-12 * size);
+        for (int k = 0; k < 2; k++) CHECK_NEAR(K[k], tip.stress_intensity[k], 0.01 * size);
+    }
+    free(none);
+    pdmc_affine_clear(&model);
+    pdmc_bond_destroy(&v.bond);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(energies_agree_with_finite_elements),
+        cmocka_unit_test(near_rows_have_both_modes),
         cmocka_unit_test(derivatives_are_those_of_the_energy_released),
         cmocka_unit_test(energies_of_bonds_have_their_own_stiffness),
     };
