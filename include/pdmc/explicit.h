@@ -11,10 +11,10 @@ typedef struct {
     char name[PDMC_NAME_SIZE];
     double density; // mass / length^3, the mass in force time^2 / length
     bool has_youngs_modulus, has_bulk_modulus, has_micromodulus;
-    double youngs_modulus, bulk_modulus; // force / length^2
-    double micromodulus;                 // force / length^6
+    double youngs_modulus, bulk_modulus;            // force / length^2
+    double micromodulus;                            // force / length^6
     bool has_fracture_energy, has_critical_stretch; // neither: bonds never break
-    double fracture_energy; // force / length
+    double fracture_energy;                         // force / length
     double critical_stretch;
     double strengthening;
 } pdmc_explicit_material;

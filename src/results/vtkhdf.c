@@ -3,7 +3,6 @@
 
 #include "base/base_impl.h"
 
-
 enum { VTK_VERTEX = 1 };
 
 static const char group_name[] = "/VTKHDF";
@@ -29,7 +28,8 @@ static pdmc_status write_sequence(hid_t file, const sequence *s, hid_t file_type
     object = H5Dcreate2(file, s->path, file_type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
     PDMC_H5_TRY(object, PDMC_ERR_EXTERN, s->path);
     if (s->count > 0)
-        PDMC_H5_TRY(H5Dwrite(object, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers), PDMC_ERR_EXTERN, s->path);
+        PDMC_H5_TRY(H5Dwrite(object, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers), PDMC_ERR_EXTERN,
+                    s->path);
 done:
     pdmc_h5_close(object);
     pdmc_h5_close(space);

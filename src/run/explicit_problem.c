@@ -76,8 +76,8 @@ static double stable_step(const pdmc_explicit *p, double inverse_lengths)
     const double volume = p->dimension == 3 ? gsl_pow_3(p->spacing) : gsl_pow_2(p->spacing) * p->thickness;
     double step = INFINITY;
     for (int i = 0; i < p->material_count; i++)
-        step = fmin(step, sqrt(2.0 * p->materials[i].density /
-                               (volume * micromodulus(p, &p->materials[i]) * inverse_lengths)));
+        step = fmin(
+            step, sqrt(2.0 * p->materials[i].density / (volume * micromodulus(p, &p->materials[i]) * inverse_lengths)));
     return step;
 }
 

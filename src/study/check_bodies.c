@@ -59,7 +59,7 @@ static pdmc_status check_box(const pdmc_study_reader *reader, pdmc_study_address
     for (int k = 0; k < reader->motion->dimension; k++)
         if (!(shape->from[k] <= shape->to[k]))
             return pdmc_study_refuse(reader, address, "%g in %c is below from, %g, must be at least that", shape->to[k],
-                                     "xyz"[k], shape->from[k]);
+                                     "xyz"[k], shape -> from[k]);
     return PDMC_OK;
 }
 

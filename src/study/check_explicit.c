@@ -9,7 +9,8 @@
 static pdmc_status refuse(const pdmc_study_reader *reader, pdmc_study_section_id section, const char *key, double found,
                           const char *what, double bound, const char *of)
 {
-    return pdmc_study_refuse(reader, (pdmc_study_address){section, -1, key}, "%g is too %s %g, %s", found, what, bound, of);
+    return pdmc_study_refuse(reader, (pdmc_study_address){section, -1, key}, "%g is too %s %g, %s", found, what, bound,
+                             of);
 }
 
 pdmc_status pdmc_study_check_particle_grid(const pdmc_study_reader *reader)

@@ -7,9 +7,9 @@
 
 /// How a tip has grown. Times are those of records.
 typedef struct {
-    double growth;                  // at the end
-    double begin, end;              // the first record with any growth, and the first with all of it; NaN without growth
-    double mean_speed, most_speed;  // growth over end - begin; NaN without either
+    double growth;                 // at the end
+    double begin, end;             // the first record with any growth, and the first with all of it; NaN without growth
+    double mean_speed, most_speed; // the former from begin to end: a tip moves by whole spacings; NaN without growth
 } pdmc_tip_growth;
 
 pdmc_tip_growth pdmc_growth_of(const pdmc_explicit_record *record, int tip);

@@ -8,6 +8,7 @@
 
 #include <math.h>
 
+enum { FLAT = 6 };      // times as wide as high
 enum { POINTS = 4000 }; // that a picture can show; of more records every second, third, ... one is drawn
 
 static int stride(const pdmc_explicit_record *p)
@@ -19,7 +20,7 @@ static void put_time_axis(const pdmc_results *r, const pdmc_figure *figure)
 {
     const pdmc_explicit_record *p = &r->particles;
     pdmc_figure_label(figure, "xlabel", "Time (", r->time_unit, ")");
-    fprintf(figure->script, "set xrange [0:%.9g]\nset key outside top center horizontal maxrows 2\n",
+    fprintf(figure->script, "set xrange [0:%.9g]\nset rmargin 6\nset key outside top center horizontal maxrows 2\n",
             p->record_count > 1 ? p->time[p->record_count - 1] : 1.0);
 }
 
@@ -128,6 +129,9 @@ static pdmc_status draw_plane(const pdmc_results *r, const char *name, int acros
     const char before[2][5] = {{"xyz"[across], ' ', '('}, {"xyz"[up], ' ', '('}};
     PDMC_TRY(make_raster(&r->particles, across, up, through, &image));
     put_raster(&image, name, figure->script);
+    if (image.columns > FLAT * image.rows) // where tics up would run into each other
+        fprintf(figure->script, "set ytics (%.9g, %.9g)\n", image.origin[1],
+                image.origin[1] + (double)(image.rows - 1) * r->particles.spacing);
     pdmc_figure_label(figure, "xlabel", before[0], r->length_unit, ")");
     pdmc_figure_label(figure, "ylabel", before[1], r->length_unit, ")");
     fprintf(figure->script,
@@ -142,14 +146,17 @@ pdmc_status pdmc_draw_explicit_damage(const pdmc_results *r, pdmc_figure *figure
 {
     pdmc_status status = PDMC_OK;
     FILE *script = figure->script;
-    fputs("set size ratio -1\nunset grid\nset autoscale fix\nset cbrange [0:1]\nset cblabel 'Damage'\n"
-          "set datafile missing 'NaN'\n"
-          "set palette defined (0 '#e8e8e8', 0.15 '#56b4e9', 0.35 '#0072b2', 0.5 '#e69f00', 0.75 '#d55e00', 1 'black')\n",
-          script);
+    fputs(
+        "set size ratio -1\nunset grid\nset autoscale fix\nset cbrange [0:1]\nset cblabel 'Damage'\n"
+        "set datafile missing 'NaN'\n"
+        "set style fill solid noborder\n"
+        "set palette defined (0 '#e8e8e8', 0.15 '#56b4e9', 0.35 '#0072b2', 0.5 '#e69f00', 0.75 '#d55e00', 1 'black')\n",
+        script);
     if (r->particles.dimension == 2) return draw_plane(r, "plan", 0, 1, -1, "", figure);
     figure->height = 1800;
-    fputs("set multiplot layout 2,1\n", script);
+    fputs("set multiplot layout 2,1\nset tics font ',16'\n", script);
     PDMC_TRY(draw_plane(r, "top", 0, 1, -1, "from above", figure));
+    fputs("unset colorbox\n", script);
     PDMC_TRY(draw_plane(r, "section", 0, 2, 1, "section through the middle", figure));
     fputs("unset multiplot\n", script);
 done:

@@ -46,8 +46,8 @@ static void a_free_body_flies_on(void **state)
     const pdmc_explicit_record *p = &r.particles;
     assert_int_equal(r.status, PDMC_RUN_COMPLETE);
     assert_int_equal(p->node_count, 24);
-    CHECK_NEAR(p->steps, 27.0, 0.0);         // 26.7
-    assert_int_equal(p->record_count, 15);   // the start, every second step, and the last one
+    CHECK_NEAR(p->steps, 27.0, 0.0);       // 26.7
+    assert_int_equal(p->record_count, 15); // the start, every second step, and the last one
     assert_int_equal(p->snapshot_count, 2);
     CHECK_NEAR(p->time[14], 27 * 0.3, 1e-14);
     CHECK_NEAR(p->snapshot_time[0], 7 * 0.6, 1e-14);
@@ -167,9 +167,10 @@ static void a_step_that_cannot_be_taken_keeps_what_was(void **state)
     (void)state;
     const pdmc_run_options options = {.threads = 2};
     pdmc_results r;
-    run_explicit(GRID GLASS "bodies = ( { from = [0, 0]; to = [6, 4]; } );\n"
-                            "conditions = ( { from = [0, 0]; to = [6, 1]; y = 1e9; times = [2, 3]; factors = [0, 1]; } );\n"
-                            "time = { duration = 8; step = 0.3; }; record = { interval = 0.6; snapshots = 2; };",
+    run_explicit(GRID GLASS
+                 "bodies = ( { from = [0, 0]; to = [6, 4]; } );\n"
+                 "conditions = ( { from = [0, 0]; to = [6, 1]; y = 1e9; times = [2, 3]; factors = [0, 1]; } );\n"
+                 "time = { duration = 8; step = 0.3; }; record = { interval = 0.6; snapshots = 2; };",
                  &options, &r);
     const pdmc_explicit_record *p = &r.particles;
     assert_int_equal(r.status, PDMC_RUN_NOT_FINITE);
@@ -217,8 +218,11 @@ static void moduli_say_the_same(void **state)
         pdmc_explicit_material m = {.density = 2.0, .has_youngs_modulus = true, .youngs_modulus = 6.0};
         const pdmc_brittle_material by_youngs = pdmc_explicit_law(&p, &m);
         assert_true(isinf(by_youngs.critical_stretch));
-        m = (pdmc_explicit_material){.density = 2.0, .has_bulk_modulus = true, .has_fracture_energy = true,
-                                     .bulk_modulus = 6.0 * cases[i].bulk_over_youngs, .fracture_energy = 0.1};
+        m = (pdmc_explicit_material){.density = 2.0,
+                                     .has_bulk_modulus = true,
+                                     .has_fracture_energy = true,
+                                     .bulk_modulus = 6.0 * cases[i].bulk_over_youngs,
+                                     .fracture_energy = 0.1};
         const pdmc_brittle_material by_bulk = pdmc_explicit_law(&p, &m);
         CHECK_NEAR(by_bulk.micromodulus, by_youngs.micromodulus, 1e-14 * by_youngs.micromodulus);
         CHECK_NEAR(by_bulk.critical_stretch,
@@ -274,7 +278,11 @@ static void speeds_are_central_differences(void **state)
     (void)state;
     enum { N = 9 };
     double time[N], advance[2 * N], speed[2 * N];
-    pdmc_explicit_record r = {.record_count = N, .tip_count = 2, .time = time, .tip_advance = advance, .tip_speed = speed,
+    pdmc_explicit_record r = {.record_count = N,
+                              .tip_count = 2,
+                              .time = time,
+                              .tip_advance = advance,
+                              .tip_speed = speed,
                               .speed_window = 1.0};
     for (int i = 0; i < N; i++) {
         time[i] = 0.5 * i;

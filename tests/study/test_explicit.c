@@ -33,13 +33,16 @@ static const char plane[] =
     "grid = { dimension = 2; spacing = 0.5; offset = [0.25, 0.125]; horizon_ratio = 3.2; volume = \"whole\";\n"
     "         thickness = 0.1; assumption = \"plane_strain\"; };\n"
     "materials = ( { name = \"steel\"; density = 8.0; bulk_modulus = 192.0; critical_stretch = 0.02; },\n"
-    "              { name = \"glass\"; density = 2.5; micromodulus = 7e3; fracture_energy = 1e-3; strengthening = 0.25; } );\n"
+    "              { name = \"glass\"; density = 2.5; micromodulus = 7e3; fracture_energy = 1e-3; strengthening = "
+    "0.25; } );\n"
     "bodies = ( { name = \"plate\"; from = [-25, -25]; to = [25, 25]; material = \"glass\"; velocity = [0, -1]; },\n"
     "           { name = \"disc\"; shape = \"ball\"; centre = [0, 30]; radius = 2; } );\n"
     "cracks = ( { name = \"middle\"; from = [-5, 0]; to = [5, 0]; } );\n"
-    "conditions = ( { from = [-25.0, 23.4]; to = [25.0, 25.0]; y = 20; times = [5, 5, 10, 10]; factors = [1, -1, -1, 0]; },\n"
+    "conditions = ( { from = [-25.0, 23.4]; to = [25.0, 25.0]; y = 20; times = [5, 5, 10, 10]; factors = [1, -1, -1, "
+    "0]; },\n"
     "               { prescribed = \"force\"; shape = \"ball\"; centre = [0, 0]; radius = 0.3; x = -1; } );\n"
-    "spheres = ( { name = \"ram\"; radius = 5; centre = [0, 40]; velocity = [0.0, -35.5]; mass = 4.16; stiffness = 1e26; },\n"
+    "spheres = ( { name = \"ram\"; radius = 5; centre = [0, 40]; velocity = [0.0, -35.5]; mass = 4.16; stiffness = "
+    "1e26; },\n"
     "            { radius = 1; centre = [0, -40]; stiffness = 1e26; } );\n"
     "contact = { distance = 0; stiffness = 14; }; time = { duration = 16; step = 0.05; safety = 0.7; };\n"
     "record = { interval = 0.3; snapshots = 7; tip_damage = 0.35; speed_window = 1.2; };\n";
@@ -49,7 +52,8 @@ static const char space[] =
     "materials = ( { density = 2; youngs_modulus = 3; } );\n"
     "bodies = ( { shape = \"cylinder\"; from = [1, 0, 2]; to = [1, 8, 2]; radius = 3; velocity = [1, 2, 3]; } );\n"
     "cracks = ( { shape = \"disc\"; centre = [1, 4, 2]; normal = [0, 2, 0]; radius = 1; },\n"
-    "           { shape = \"rectangle\"; centre = [1, 4, 2]; first_side = [1, 0, 0]; second_side = [0.0, 0.5, 0.5]; } );\n"
+    "           { shape = \"rectangle\"; centre = [1, 4, 2]; first_side = [1, 0, 0]; second_side = [0.0, 0.5, 0.5]; } "
+    ");\n"
     "conditions = ( { from = [-9, 0, -9]; to = [9, 0, 9]; x = 0; y = 0; z = 0; } );\n"
     "time = { duration = 10; };\n";
 
@@ -191,9 +195,11 @@ static void grids_and_materials_that_cannot_be(void **state)
          "study.cfg:3: materials[0]: \"material1\" has 2 moduli, must have one of youngs_modulus, bulk_modulus, "
          "micromodulus"},
         {MATERIALS, "materials = ( { density = 1; youngs_modulus = 1; critical_stretch = 1; fracture_energy = 1; } );",
-         "study.cfg:3: materials[0]: \"material1\" has a fracture_energy and a critical_stretch, must have one or none"},
+         "study.cfg:3: materials[0]: \"material1\" has a fracture_energy and a critical_stretch, must have one or "
+         "none"},
         {MATERIALS,
-         "materials = ( { name = \"a\"; density = 1; youngs_modulus = 1; }, { name = \"a\"; density = 1; youngs_modulus = 1; } );",
+         "materials = ( { name = \"a\"; density = 1; youngs_modulus = 1; }, { name = \"a\"; density = 1; "
+         "youngs_modulus = 1; } );",
          "study.cfg:3: materials[1].name: \"a\" is the name of an earlier material too, must be another"},
     };
     EXPECT(mistakes);
@@ -213,16 +219,19 @@ static void bodies_and_cracks_that_cannot_be(void **state)
         {BODIES, CYLINDER_FROM_ORIGIN "to = [1, 1, 0]; } );",
          "study.cfg:4: bodies[0].to: differs from `from` in 2 coordinates, must differ in one"},
         {BODIES, "bodies = ( { shape = \"ball\"; radius = 1; } );",
-         "study.cfg:4: bodies[0].centre: is missing, must be as many reals as grid.dimension, [x, y] or [x, y, z], each "
+         "study.cfg:4: bodies[0].centre: is missing, must be as many reals as grid.dimension, [x, y] or [x, y, z], "
+         "each "
          "finite"},
         {CRACKS, "cracks = ( { from = [0, 0]; to = [0, 0]; } );",
          "study.cfg:5: cracks[0].to: is where from is, must be elsewhere"},
         {CRACKS, "cracks = ( { shape = \"disc\"; centre = [0, 0, 0]; radius = 1; normal = [0, 0, 0]; } );",
          "study.cfg:5: cracks[0].normal: is zero, must have a direction"},
         {CRACKS,
-         "cracks = ( { shape = \"rectangle\"; centre = [0, 0, 0]; first_side = [1, 2, 3]; second_side = [-2, -4, -6]; } );",
+         "cracks = ( { shape = \"rectangle\"; centre = [0, 0, 0]; first_side = [1, 2, 3]; second_side = [-2, -4, -6]; "
+         "} );",
          "study.cfg:5: cracks[0].second_side: makes no rectangle with first_side, must have another direction"},
-        {CRACKS, "cracks = ( { name = \"c\"; from = [0, 0]; to = [1, 0]; }, { name = \"c\"; from = [0, 0]; to = [0, 1]; } );",
+        {CRACKS,
+         "cracks = ( { name = \"c\"; from = [0, 0]; to = [1, 0]; }, { name = \"c\"; from = [0, 0]; to = [0, 1]; } );",
          "study.cfg:5: cracks[1].name: \"c\" is the name of an earlier crack too, must be another"},
     };
     EXPECT(mistakes);
@@ -274,7 +283,8 @@ static void the_plane_has_no_depth(void **state)
         {"cracks = ( { shape = \"disc\"; centre = [0, 0]; radius = 1; normal = [1, 0]; } );",
          "study.cfg:4: cracks[0].shape: must be \"segment\" in two dimensions"},
         {"conditions = ( { shape = \"cylinder\"; from = [0, 0]; to = [1, 0]; radius = 1; x = 1; } );",
-         "study.cfg:4: conditions[0].shape: \"cylinder\" is not allowed in two dimensions, must be \"box\" or \"ball\""},
+         "study.cfg:4: conditions[0].shape: \"cylinder\" is not allowed in two dimensions, must be \"box\" or "
+         "\"ball\""},
     };
     for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
         char text[1024];

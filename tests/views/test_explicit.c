@@ -38,7 +38,8 @@ static void growth_is_read_off_the_records(void **state)
     CHECK_NEAR(some.growth, 3.0, 0.0);
     CHECK_NEAR(some.begin, 0.5, 1e-15);
     CHECK_NEAR(some.end, 1.4, 1e-15);
-    CHECK_NEAR(some.mean_speed, 3.0 / 0.9, 1e-14);
+    CHECK_NEAR(some.mean_speed, 3.0, 1e-14); // the 0.3 mm of the first record do not count
+
     CHECK_NEAR(some.most_speed, 3.0, 0.0);
     pdmc_results_clear(&r);
 }
@@ -69,7 +70,8 @@ static void the_table_has_tips_and_spheres(void **state)
     expect_line(text, "at 2 ms\n  first 2 + work 2 = kinetic 1 + elastic 2 + fracture 0.5 + contact 0.5 kN mm\n");
     expect_line(text, "  200 bonds are broken, the mean damage is 0.2\n");
     expect_line(text, "  centre.from                  -1          0          0          -          -           -");
-    expect_line(text, "  centre.to                     1          0          3        0.5        1.4       3.333          3\n");
+    expect_line(
+        text, "  centre.to                     1          0          3        0.5        1.4           3          3\n");
     expect_line(text, "  sphere2");
     for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n")) assert_true(strlen(line) <= 100);
     free(text);
@@ -135,7 +137,8 @@ static void the_csv_has_records_and_nodes(void **state)
 static void every_picture_is_drawn(void **state)
 {
     (void)state;
-    static const char *const names[] = {"energies.png", "energies.svg", "tips.png", "tips.svg", "damage.png", "damage.svg"};
+    static const char *const names[] = {"energies.png", "energies.svg", "tips.png",
+                                        "tips.svg",     "damage.png",   "damage.svg"};
     if (system("gnuplot --version >/dev/null 2>&1") != 0) skip();
     for (int dimension = 2; dimension <= 3; dimension++) {
         pdmc_results r = made_up_explicit(dimension);
@@ -169,9 +172,12 @@ static void it_is_not_compared(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(growth_is_read_off_the_records), cmocka_unit_test(the_balance_is_of_what_came_in),
-        cmocka_unit_test(the_table_has_tips_and_spheres), cmocka_unit_test(the_json_has_all_records),
-        cmocka_unit_test(the_csv_has_records_and_nodes),  cmocka_unit_test(every_picture_is_drawn),
+        cmocka_unit_test(growth_is_read_off_the_records),
+        cmocka_unit_test(the_balance_is_of_what_came_in),
+        cmocka_unit_test(the_table_has_tips_and_spheres),
+        cmocka_unit_test(the_json_has_all_records),
+        cmocka_unit_test(the_csv_has_records_and_nodes),
+        cmocka_unit_test(every_picture_is_drawn),
         cmocka_unit_test(it_is_not_compared),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
