@@ -138,6 +138,41 @@ static void the_bound_holds(void **state)
     }
 }
 
+// K(xi) >= alpha K_0 as no bond has a factor below alpha: the least of the nodes' and the least of the shells'.
+static void no_bond_is_softer_than_the_bound(void **state)
+{
+    (void)state;
+    for (int quantities = 1; quantities <= 2; quantities++) {
+        varying_plate v;
+        pdmc_bond_random_stiffness random;
+        pdmc_affine model;
+        drawn_block drawn;
+        double alpha[B];
+        describe(&v, PDMC_NORMAL, 0.5);
+        v.problem.uncertainty_count = quantities;
+        CHECK_OK(pdmc_bond_create(&v.problem, 1, &v.bond));
+        CHECK_OK(pdmc_bond_random_stiffness_create(v.bond, &random));
+        CHECK_OK(pdmc_bond_affine(v.bond, &random.stiffness, &model));
+        model.field = random.field;
+        const double *all = drawn_block_begin(&drawn, &v.problem, &model, B)->drawn.xi;
+        CHECK_OK(model.verbs->coercivity(&model, all, alpha));
+        for (int s = 0; s < B; s += 5) {
+            const double *xi = &all[s * model.terms], *field = &xi[model.radial_terms];
+            double node = INFINITY, shell = quantities > 1 ? INFINITY : 0.0;
+            for (int i = 0; i < v.bond->plate.grid.nodes; i++)
+                node = fmin(node, 1.0 + inner(random.stiffness.terms, field,
+                                              &random.stiffness.value[i * random.stiffness.terms]));
+            for (int m = 0; m < model.radial_terms; m++) shell = fmin(shell, xi[m]);
+            CHECK_NEAR(alpha[s], node + shell, 1e-13);
+            assert_true(alpha[s] < 0.95);
+        }
+        drawn_block_end(&drawn);
+        pdmc_affine_clear(&model);
+        pdmc_bond_random_stiffness_clear(&random);
+        pdmc_bond_destroy(&v.bond);
+    }
+}
+
 // The first function holds all that ln G depends on to first order: with it alone the scatter is v sqrt(s' C s), s the
 // derivatives at the nodes, as summed here over all pairs of nodes.
 static void modes_keep_the_scatter_of_the_energy(void **state)
@@ -215,6 +250,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_inverses_agree),
         cmocka_unit_test(the_bound_holds),
+        cmocka_unit_test(no_bond_is_softer_than_the_bound),
         cmocka_unit_test(modes_keep_the_scatter_of_the_energy),
         cmocka_unit_test(samples_do_not_depend_on_threads),
         cmocka_unit_test(every_allocation_may_be_refused),
