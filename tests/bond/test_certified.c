@@ -125,7 +125,8 @@ static void report(const char *goal, const pdmc_affine *reduced, const tightness
                   goal, reduced->unknowns, t->least, t->most, t->unmet, t->share[0], t->share[1]);
 }
 
-// Probes overestimate by 2 or so, the softest term by less than 1.6.
+// Probes overestimate by 2.0, with a deviation of 9 %; the softest term by less than 1.6, which puts the largest ratio beyond
+// what probes alone can do.
 static void energies_are_within_their_certificates(void **state)
 {
     (void)state;
@@ -136,7 +137,7 @@ static void energies_are_within_their_certificates(void **state)
     CHECK_OK(pdmc_reduced_create(&f.drawn.variables, &goal, 2, &reduced));
     const tightness t = compare(&f, &reduced, &goal);
     report("bond", &reduced, &t);
-    assert_true(t.least >= 1.0 && t.most < 6.0);
+    assert_true(t.least >= 1.0 && t.most > 2.8 && t.most < 6.0);
     assert_true(t.unmet < 0.05);
     for (int m = 0; m < PDMC_MEASURES; m++) assert_true(t.share[m] <= 1.0);
     pdmc_affine_clear(&reduced);
@@ -154,7 +155,7 @@ static void intensities_are_within_their_certificates(void **state)
     CHECK_OK(pdmc_reduced_create(&f.drawn.variables, &goal, 2, &reduced));
     const tightness t = compare(&f, &reduced, &goal);
     report("Griffith", &reduced, &t);
-    assert_true(t.least >= 1.0 && t.most < 6.0);
+    assert_true(t.least >= 1.0 && t.most > 2.8 && t.most < 6.0);
     assert_true(t.unmet < 0.05);
     for (int m = 0; m < PDMC_MEASURES; m++) assert_true(t.share[m] <= 1.0);
     pdmc_affine_clear(&reduced);
