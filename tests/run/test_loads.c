@@ -194,7 +194,8 @@ static void noise_has_the_variance_of_the_double_integral(void **state)
     close_model(&s);
 }
 
-// ... and sampling finds it: of N normal samples the variance has the standard error sqrt(2 / N).
+// ... and sampling finds it: of N normal samples the variance has the standard error sqrt(2 / N). The side's factor is of its
+// noise as well.
 static void sampled_noise_has_the_variance_of_its_modes(void **state)
 {
     (void)state;
@@ -202,23 +203,27 @@ static void sampled_noise_has_the_variance_of_its_modes(void **state)
     plate p;
     solved s;
     drawn_block samples;
-    double sum = 0.0, mean[2], squares = 0.0;
+    const double factor = 2.0;
+    double sum = 0.0, given[2], top[2], squares = 0.0;
     plate_make(&p, PDMC_METHOD_KANSA);
     p.uncertainties[0] = noise(PDMC_SIDE_TOP, PDMC_COVARIANCE_EXPONENTIAL, 2.0, 10);
-    p.problem.uncertainty_count = 1;
+    p.uncertainties[1] = scalar(PDMC_QUANTITY_LOAD_TOP, factor, 0.0);
+    p.problem.uncertainty_count = 2;
     open_model(&p.problem, &s);
-    intensities_of(&s.model, 1, mean);
-    for (int l = 2; l < s.model.cases; l++) {
+    intensities_of(&s.model, 1, given);
+    intensities_of(&s.model, 2, top);
+    const double mean = given[0] + (factor - 1.0) * top[0];
+    for (int l = 3; l < s.model.cases; l++) {
         double K[2];
         intensities_of(&s.model, l, K);
-        sum += K[0] * K[0];
+        sum += gsl_pow_2(factor * K[0]);
     }
     pdmc_block *block = drawn_block_begin(&samples, &p.problem, &s.model, B);
     for (int b = 0; b < BLOCKS; b++) {
         CHECK_OK(pdmc_block_draw(block, b * B, B));
         CHECK_OK(pdmc_block_solve(block, B));
         pdmc_block_energies(block, PDMC_BONDS_ALL);
-        for (int c = 0; c < B; c++) squares += gsl_pow_2(block->intensity[c] - mean[0]) / (BLOCKS * B);
+        for (int c = 0; c < B; c++) squares += gsl_pow_2(block->intensity[c] - mean) / (BLOCKS * B);
     }
     CHECK_NEAR(squares / sum, 1.0, 4.0 * sqrt(2.0 / (BLOCKS * B)));
     drawn_block_end(&samples);
@@ -442,6 +447,23 @@ static void what_would_not_balance_is_refused(void **state)
     }
 }
 
+// A plate that can only turn about its lower left corner, pulled through it: a factor on the load does no work, noise does.
+static void noise_turns_what_its_mean_does_not(void **state)
+{
+    (void)state;
+    plate p;
+    pdmc_support supports[2] = {{PDMC_SIDE_BOTTOM, {true, false}, {0.0, 0.0}},
+                                {PDMC_SIDE_LEFT, {false, true}, {0.0, 0.0}}};
+    plate_make(&p, PDMC_METHOD_KANSA);
+    p.loads[0] = (pdmc_load){PDMC_SIDE_RIGHT, {4.0, 2.0}};
+    p.problem.load_count = 1;
+    p.problem.supports = supports;
+    p.problem.support_count = 2;
+    CHECK_OK(pdmc_problem_check_random_load(&p.problem, PDMC_QUANTITY_LOAD_RIGHT));
+    CHECK_STATUS(pdmc_problem_check_random_load(&p.problem, PDMC_QUANTITY_LOAD_NOISE_RIGHT), PDMC_ERR_CONFIG);
+    CHECK_STATUS(pdmc_problem_check_random_load(&p.problem, PDMC_QUANTITY_LOAD_DIRECTION_RIGHT), PDMC_ERR_CONFIG);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -455,6 +477,7 @@ int main(void)
         cmocka_unit_test(threads_change_no_bit),
         cmocka_unit_test(plates_of_their_own_have_all_loads),
         cmocka_unit_test(what_would_not_balance_is_refused),
+        cmocka_unit_test(noise_turns_what_its_mean_does_not),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
