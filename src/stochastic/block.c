@@ -209,17 +209,24 @@ static pdmc_status iterate(pdmc_block *block)
     return status;
 }
 
-// The answer to the mean load, times the load.
+// The answer to the given loads and what is added to them, times the load that all have in common.
 static pdmc_status reduce(pdmc_block *block)
 {
-    const int n = block->model->unknowns, rows = 2 * block->model->tips;
-    const pdmc_status status = pdmc_reduced_solve(block->model, block->drawn.xi, block->x, &block->bound);
-    for (int s = 0; s < B && status == PDMC_OK; s++) {
+    pdmc_status status = PDMC_OK;
+    const int n = block->model->unknowns, rows = 2 * block->model->tips, added = block->model->cases - 2;
+    double *share = NULL;
+    PDMC_NEW(share, B * added);
+    for (int s = 0; s < B; s++)
+        for (int l = 0; l < added; l++) share[s * added + l] = block->drawn.draw[s].load_pattern[2 + l];
+    PDMC_TRY(pdmc_reduced_solve(block->model, block->drawn.xi, share, block->x, &block->bound));
+    for (int s = 0; s < B; s++) {
         const double load = block->drawn.draw[s].load_share;
         cblas_dscal(n, load, &block->x[s * n], 1);
         block->bound.error[s] *= fabs(load);
         for (int k = 0; k < rows; k++) block->bound.intensity[s * rows + k] *= fabs(load);
     }
+done:
+    pdmc_free(share);
     return status;
 }
 

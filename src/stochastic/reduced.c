@@ -162,7 +162,8 @@ static void bound_rows(const pdmc_affine *reduced, int sides, const double error
     }
 }
 
-pdmc_status pdmc_reduced_solve(const pdmc_affine *reduced, const double xi[], double x[], pdmc_reduced_bound *bound)
+pdmc_status pdmc_reduced_solve(const pdmc_affine *reduced, const double xi[], const double share[], double x[],
+                               pdmc_reduced_bound *bound)
 {
     pdmc_status status = PDMC_OK;
     const pdmc_reduced_system *system = reduced->discretisation;
@@ -170,7 +171,7 @@ pdmc_status pdmc_reduced_solve(const pdmc_affine *reduced, const double xi[], do
     double *y = NULL, *error = NULL;
     PDMC_NEW(y, B * sides * r);
     PDMC_NEW(error, B * sides);
-    PDMC_TRY(pdmc_reduced_system_solve(system, xi, y, error, bound->coercivity));
+    PDMC_TRY(pdmc_reduced_system_solve(system, xi, share, y, error, bound->coercivity));
     for (int s = 0; s < B; s++) {
         memcpy(&x[s * r], &y[s * sides * r], (size_t)r * sizeof *x);
         bound->error[s] = error[s * sides];

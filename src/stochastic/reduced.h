@@ -48,9 +48,10 @@ typedef struct {
 PDMC_NODISCARD pdmc_status pdmc_reduced_create(const pdmc_variables *variables, const pdmc_reduced_goal *goal,
                                                int threads, pdmc_affine *reduced);
 
-/// Solves K(xi) x = F_1 for a block.
+/// Solves K(xi) x = F_1 + sum_l share_l F_(2 + l) for a block.
 /// @param[in]  xi     [PDMC_BLOCK, terms]
+/// @param[in]  share  [PDMC_BLOCK, cases - 2], or NULL for 0
 /// @param[out] x      [PDMC_BLOCK, unknowns]
 /// @return PDMC_OK, PDMC_ERR_NOMEM, or the failure of the model's verb
-PDMC_NODISCARD pdmc_status pdmc_reduced_solve(const pdmc_affine *reduced, const double xi[], double x[],
-                                              pdmc_reduced_bound *bound);
+PDMC_NODISCARD pdmc_status pdmc_reduced_solve(const pdmc_affine *reduced, const double xi[], const double share[],
+                                              double x[], pdmc_reduced_bound *bound);

@@ -23,15 +23,16 @@ pdmc_status pdmc_reduced_builder_create(const pdmc_reduced_goal *goal, pdmc_redu
     pdmc_status status = PDMC_OK;
     const size_t n = (size_t)b->n, terms = (size_t)b->full->terms;
     PDMC_TRY(pdmc_reduced_system_create(b->full, goal, &b->system));
-    const int sides = b->system->sides;
+    const int sides = b->system->sides, added = b->system->added;
     PDMC_NEW(b->probe, (PDMC_PROBES + CAPACITY) * n);
     b->basis = b->probe + PDMC_PROBES * n;
     PDMC_NEW(b->image, CAPACITY * n);
-    PDMC_NEW(b->load, (size_t)sides * n);
+    PDMC_NEW(b->load, (size_t)(sides + added) * n);
     PDMC_NEW(b->block, B * n);
     PDMC_NEW(b->product, B * n);
     PDMC_NEW(b->overlap, B * CAPACITY);
     PDMC_NEW(b->training, PDMC_TRAINING * terms);
+    PDMC_NEW(b->training_share, PDMC_TRAINING * added);
     PDMC_NEW(b->xi, B * terms);
     PDMC_NEW(b->none, B * terms);
     PDMC_NEW(b->allowed, sides);
@@ -49,6 +50,7 @@ void pdmc_reduced_builder_clear(pdmc_reduced_builder *b)
     pdmc_free(b->product);
     pdmc_free(b->overlap);
     pdmc_free(b->training);
+    pdmc_free(b->training_share);
     pdmc_free(b->xi);
     pdmc_free(b->none);
     pdmc_free(b->allowed);
@@ -66,20 +68,34 @@ static pdmc_status make_probes(pdmc_reduced_builder *b)
     return b->full->verbs->color(b->full, b->block, b->probe);
 }
 
+// load = K_0 times the model's answers to `count` cases from `first` on.
+static pdmc_status make_cases(pdmc_reduced_builder *b, int first, int count, double load[])
+{
+    pdmc_status status = PDMC_OK;
+    const size_t n = (size_t)b->n;
+    for (int done = 0; done < count; done += B) {
+        const size_t values = (size_t)(count - done < B ? count - done : B) * n;
+        memset(b->block, 0, B * n * sizeof *b->block);
+        memcpy(b->block, pdmc_affine_solution(b->full, first + done), values * sizeof *b->block);
+        PDMC_TRY(b->full->verbs->multiply(b->full, 1.0, b->none, b->block, b->product));
+        memcpy(&load[(size_t)done * n], b->product, values * sizeof *load);
+    }
+done:
+    return status;
+}
+
 // F = K_0 times the answer to the mean load, and the rows of the stress intensities but for unknowns that are held, where
 // probes are zero.
 static pdmc_status make_loads(pdmc_reduced_builder *b)
 {
     const size_t n = (size_t)b->n;
-    const int sides = b->system->sides;
-    memset(b->block, 0, B * n * sizeof *b->block);
-    memcpy(b->block, pdmc_affine_solution(b->full, 1), n * sizeof *b->block);
-    const pdmc_status status = b->full->verbs->multiply(b->full, 1.0, b->none, b->block, b->product);
+    const int sides = b->system->sides, added = b->system->added;
+    pdmc_status status = make_cases(b, 1, 1, b->load);
+    if (status == PDMC_OK) status = make_cases(b, 2, added, &b->load[(size_t)sides * n]);
     if (status != PDMC_OK) return status;
-    memcpy(b->load, b->product, n * sizeof *b->load);
     for (size_t k = n; k < (size_t)sides * n; k++)
         b->load[k] = b->probe[k % n] != 0.0 ? b->full->stress_intensity[k - n] : 0.0;
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, sides, PDMC_PROBES, b->n, 1.0, b->load, b->n, b->probe, b->n,
+    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, sides + added, PDMC_PROBES, b->n, 1.0, b->load, b->n, b->probe, b->n,
                 0.0, b->system->probe_load, PDMC_PROBES);
     return PDMC_OK;
 }
@@ -205,7 +221,7 @@ static pdmc_status project(pdmc_reduced_builder *b, int count)
     const int n = b->n, first = b->system->dimension;
     const double *vectors = &b->basis[(size_t)first * (size_t)n];
     b->system->dimension += count;
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, b->system->sides, count, n, 1.0, b->load, n, vectors, n, 0.0,
+    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, b->system->sides + b->system->added, count, n, 1.0, b->load, n, vectors, n, 0.0,
                 &b->system->load[first], CAPACITY);
     project_on_probes(b, 0, first, count, &b->image[(size_t)first * (size_t)n]);
     return (b->full->verbs->project ? project_at_once : project_terms)(b, first, count);
@@ -239,7 +255,7 @@ done:
     return status;
 }
 
-// The answers at the mean: that of the load is the model's own, those of the rows are found some at a time.
+// The answers at the mean: those of the loads are the model's own, those of the rows are found some at a time.
 static pdmc_status begin_basis(pdmc_reduced_builder *b, int *added)
 {
     pdmc_status status = PDMC_OK;
@@ -253,6 +269,24 @@ static pdmc_status begin_basis(pdmc_reduced_builder *b, int *added)
         memcpy(b->product, &b->load[(size_t)first * n], (size_t)count * n * sizeof *b->product);
         PDMC_TRY(b->full->verbs->precondition(b->full, b->product, b->block));
         PDMC_TRY(enrich(b, 0.0, added));
+    }
+done:
+    return status;
+}
+
+// The answers to what is added to the loads, but for what combines those that are there already.
+static pdmc_status add_cases(pdmc_reduced_builder *b)
+{
+    pdmc_status status = PDMC_OK;
+    const double combined = 1e-8; // of the answer to the given loads: what projections leave is smaller
+    const double size = cblas_dnrm2(b->system->dimension, b->system->load, 1);
+    const size_t n = (size_t)b->n;
+    int added;
+    for (int first = 2; first < b->full->cases; first += MOST_OF_A_ROUND) {
+        const int left = b->full->cases - first, count = left < MOST_OF_A_ROUND ? left : MOST_OF_A_ROUND;
+        memset(b->block, 0, B * n * sizeof *b->block);
+        memcpy(b->block, pdmc_affine_solution(b->full, first), (size_t)count * n * sizeof *b->block);
+        PDMC_TRY(enrich(b, combined * size, &added));
     }
 done:
     return status;
@@ -312,6 +346,9 @@ static pdmc_status residuals(pdmc_reduced_builder *b, const double y[], const do
         const double scale = share[chosen[c]] > 0.0 ? 1.0 / b->allowed[side] : 0.0;
         double *row = &b->product[(size_t)c * (size_t)n];
         for (int k = 0; k < n; k++) row[k] = scale * (load[k] - row[k]);
+        const double *shares = &b->training_share[chosen[c] / (size_t)sides * (size_t)b->system->added];
+        for (int l = 0; l < b->system->added && side == 0; l++)
+            cblas_daxpy(n, scale * shares[l], &b->load[(size_t)(sides + l) * (size_t)n], 1, row, 1);
     }
     PDMC_TRY(b->full->verbs->precondition(b->full, b->product, b->block));
 done:
@@ -320,7 +357,8 @@ done:
 }
 
 // Draws and solves a block of training samples.
-static pdmc_status train_block(const pdmc_reduced_builder *b, uint64_t first, double xi[], double y[], double error[])
+static pdmc_status train_block(const pdmc_reduced_builder *b, uint64_t first, double xi[], double share[], double y[],
+                               double error[])
 {
     pdmc_status status = PDMC_OK;
     pdmc_draws drawn = {0};
@@ -330,7 +368,10 @@ static pdmc_status train_block(const pdmc_reduced_builder *b, uint64_t first, do
         pdmc_variables_sample(b->variables, first + (uint64_t)s, &drawn.z[s * b->variables->count]);
     PDMC_TRY(pdmc_variables_draw(b->variables, B, drawn.z, drawn.draw));
     memcpy(xi, drawn.xi, (size_t)(B * b->full->terms) * sizeof *xi);
-    PDMC_TRY(pdmc_reduced_system_solve(b->system, xi, y, error, alpha));
+    for (int s = 0; s < B; s++)
+        for (int l = 0; l < b->system->added; l++)
+            share[s * b->system->added + l] = drawn.draw[s].load_pattern[2 + l];
+    PDMC_TRY(pdmc_reduced_system_solve(b->system, xi, share, y, error, alpha));
 done:
     pdmc_draws_clear(&drawn);
     return status;
@@ -342,10 +383,12 @@ static pdmc_status train(pdmc_reduced_builder *b, int round, double y[], double 
 {
     pdmc_status status = PDMC_OK;
     const size_t sides = (size_t)b->system->sides, r = (size_t)b->system->dimension, terms = (size_t)b->full->terms;
+    const size_t added = (size_t)b->system->added;
 #pragma omp parallel for schedule(dynamic) num_threads(b->threads)
     for (size_t s = 0; s < PDMC_TRAINING; s += B) {
         const uint64_t first = training_samples + (uint64_t)round * PDMC_TRAINING + s;
-        const pdmc_status mine = train_block(b, first, &b->training[s * terms], &y[s * sides * r], &error[s * sides]);
+        const pdmc_status mine = train_block(b, first, &b->training[s * terms], &b->training_share[s * added],
+                                            &y[s * sides * r], &error[s * sides]);
         if (mine != PDMC_OK) {
 #pragma omp critical(pdmc_reduced)
             status = mine;
@@ -367,6 +410,7 @@ pdmc_status pdmc_reduced_build(const pdmc_reduced_goal *goal, pdmc_reduced_build
     PDMC_TRY(make_probes(b));
     PDMC_TRY(make_loads(b));
     PDMC_TRY(begin_basis(b, &added));
+    PDMC_TRY(add_cases(b));
     share_out(goal, b);
     for (int round = 0;; round++) {
         PDMC_TRY(train(b, round, y, error, &worst));

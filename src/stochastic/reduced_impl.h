@@ -16,13 +16,14 @@ enum {
 typedef struct {
     const pdmc_affine *full;
     int dimension, terms, sides;
+    int added;            // cases of the loads beyond the given ones, whose rows stand behind those of the sides
     bool is_ordered;      // whether the first vectors are those that samples need most
     double goal;          // of the error, where there are no intensities
     double *intensity;    // [tips] goal, or NULL
     double *matrix;       // [1 + terms, triangle] v_i' K_m v_j, i <= j, by columns; the identity for m = 0
-    double *load;         // [sides, capacity] V' F
+    double *load;         // [sides + added, capacity] V' F
     double *probe_matrix; // [1 + terms, capacity, PDMC_PROBES] z_k' K_m v_j
-    double *probe_load;   // [sides, PDMC_PROBES] z_k' F
+    double *probe_load;   // [sides + added, PDMC_PROBES] z_k' F
     double quantile;      // of chi-square with PDMC_PROBES degrees of freedom, at the probability of a failing bound
 } pdmc_reduced_system;
 
@@ -43,12 +44,14 @@ double pdmc_reduced_share(const pdmc_reduced_system *system, const double error[
 /// Solves a block for all right-hand sides. In an ordered basis a sample takes half of the vectors, and more, a quarter at a
 /// time, until its bounds meet the goal or it has them all: the other coordinates are 0.
 /// @param[in]  xi     [PDMC_BLOCK, terms]
+/// @param[in]  share  [PDMC_BLOCK, added] of the added cases in the load; NULL: none
 /// @param[out] y      [PDMC_BLOCK, sides, dimension]
 /// @param[out] error  [PDMC_BLOCK, sides] bounds of sqrt(e' K(xi) e); infinite where K(xi) is not known to be positive
 /// @param[out] alpha  [PDMC_BLOCK] of K(xi) >= alpha K_0
 /// @return PDMC_OK, PDMC_ERR_NOMEM, or the failure of the model's verb
-PDMC_NODISCARD pdmc_status pdmc_reduced_system_solve(const pdmc_reduced_system *system, const double xi[], double y[],
-                                                     double error[], double alpha[PDMC_BLOCK]);
+PDMC_NODISCARD pdmc_status pdmc_reduced_system_solve(const pdmc_reduced_system *system, const double xi[],
+                                                     const double share[], double y[], double error[],
+                                                     double alpha[PDMC_BLOCK]);
 
 /// What a basis is made with. Vectors are [count, unknowns]; B = PDMC_BLOCK.
 typedef struct {
@@ -58,10 +61,11 @@ typedef struct {
     pdmc_reduced_system *system;
     double *probe, *basis;   // [PDMC_PROBES] and, right behind, [PDMC_REDUCED_CAPACITY] V
     double *image;           // [PDMC_REDUCED_CAPACITY] K_0 V
-    double *load;            // [sides] F
+    double *load;            // [sides + added] F
     double *block, *product; // [B]
     double *overlap;         // [B, PDMC_REDUCED_CAPACITY]
     double *training;        // [PDMC_TRAINING, terms] xi of the training samples
+    double *training_share;  // [PDMC_TRAINING, added] of the added cases in their loads
     double *xi;              // [B, terms] of the block's columns
     double *none;            // [B, terms] zero
     double *allowed;         // [sides] error of each right-hand side, of which directions are scaled

@@ -75,7 +75,7 @@ static pdmc_status turn_system(const pdmc_reduced_builder *b, const double direc
         turn_matrix(r, direction, &system->matrix[m * PDMC_REDUCED_TRIANGLE], whole, half);
     for (size_t m = 0; m <= (size_t)system->terms; m++)
         PDMC_TRY(turn(b, direction, PROBES, &system->probe_matrix[m * CAPACITY * PROBES]));
-    for (int k = 0; k < system->sides; k++) {
+    for (int k = 0; k < system->sides + system->added; k++) {
         memcpy(load, &system->load[k * CAPACITY], (size_t)r * sizeof *load);
         cblas_dgemv(CblasRowMajor, CblasNoTrans, r, r, 1.0, direction, r, load, 1, 0.0, &system->load[k * CAPACITY], 1);
     }

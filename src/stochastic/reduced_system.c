@@ -23,6 +23,7 @@ pdmc_status pdmc_reduced_system_create(const pdmc_affine *full, const pdmc_reduc
     made->full = full;
     made->terms = full->terms;
     made->sides = sides;
+    made->added = full->cases - 2;
     made->goal = goal->error;
     made->quantile = gsl_cdf_chisq_Pinv(failure_probability, PROBES);
     if (goal->intensity) {
@@ -30,9 +31,9 @@ pdmc_status pdmc_reduced_system_create(const pdmc_affine *full, const pdmc_reduc
         memcpy(made->intensity, goal->intensity, (size_t)full->tips * sizeof *made->intensity);
     }
     PDMC_NEW(made->matrix, operators * PDMC_REDUCED_TRIANGLE);
-    PDMC_NEW(made->load, (size_t)sides * CAPACITY);
+    PDMC_NEW(made->load, (size_t)(sides + made->added) * CAPACITY);
     PDMC_NEW(made->probe_matrix, operators * CAPACITY * PROBES);
-    PDMC_NEW(made->probe_load, (size_t)sides * PROBES);
+    PDMC_NEW(made->probe_load, (size_t)(sides + made->added) * PROBES);
     for (size_t j = 0; j < CAPACITY; j++) made->matrix[pdmc_triangle_column(j) + j] = 1.0;
     *system = made;
     made = NULL;
@@ -114,23 +115,28 @@ static void assemble(const pdmc_reduced_system *system, int d, int count, const 
 }
 
 // A^-1 f for all right-hand sides. False where A is not positive definite.
-static bool solve_one(const pdmc_reduced_system *system, int d, const double triangle[], workspace *work)
+static bool solve_one(const pdmc_reduced_system *system, int d, const double triangle[], const double share[],
+                      workspace *work)
 {
     for (int j = 0; j < d; j++)
         memcpy(&work->factor[(size_t)j * (size_t)d], &triangle[pdmc_triangle_column((size_t)j)],
                (size_t)(j + 1) * sizeof *triangle);
     for (int k = 0; k < system->sides; k++)
         memcpy(&work->answer[k * d], &system->load[k * CAPACITY], (size_t)d * sizeof *work->answer);
+    for (int l = 0; l < system->added && share; l++)
+        cblas_daxpy(d, share[l], &system->load[(system->sides + l) * CAPACITY], 1, work->answer, 1);
     if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', d, work->factor, d) != 0) return false;
     return LAPACKE_dpotrs_work(LAPACK_COL_MAJOR, 'U', d, system->sides, work->factor, d, work->answer, d) == 0;
 }
 
 // |z' K(xi) V y - z' F| of every right-hand side.
-static void probe_residuals(const pdmc_reduced_system *system, int d, const double probes[], workspace *work,
-                            double norm[])
+static void probe_residuals(const pdmc_reduced_system *system, int d, const double probes[], const double share[],
+                            workspace *work, double norm[])
 {
     const int sides = system->sides;
     memcpy(work->residual, system->probe_load, (size_t)(sides * PROBES) * sizeof *work->residual);
+    for (int l = 0; l < system->added && share; l++)
+        cblas_daxpy(PROBES, share[l], &system->probe_load[(sides + l) * PROBES], 1, work->residual, 1);
     cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, sides, PROBES, d, 1.0, work->answer, d, probes, PROBES, -1.0,
                 work->residual, PROBES);
     for (int k = 0; k < sides; k++) norm[k] = cblas_dnrm2(PROBES, &work->residual[k * PROBES], 1);
@@ -145,16 +151,17 @@ static void store_answer(const pdmc_reduced_system *system, int d, const double 
 
 // Samples of a block by the first d vectors, at most a panel of them.
 static void solve_panel(const pdmc_reduced_system *system, int d, int count, const int sample[], const double xi[],
-                        const double alpha[], workspace *work, double y[], double error[])
+                        const double share[], const double alpha[], workspace *work, double y[], double error[])
 {
     const int sides = system->sides;
     assemble(system, d, count, sample, xi, work);
     for (int p = 0; p < count; p++) {
         double *mine = &error[sample[p] * sides];
         const size_t triangle = (size_t)p * pdmc_triangle_column((size_t)d), probes = (size_t)(p * d) * PROBES;
-        const bool is_solved = solve_one(system, d, &work->triangle[triangle], work);
+        const double *added = share ? &share[sample[p] * system->added] : NULL;
+        const bool is_solved = solve_one(system, d, &work->triangle[triangle], added, work);
         const bool is_bounded = is_solved && alpha[sample[p]] > 0.0;
-        if (is_solved) probe_residuals(system, d, &work->probes[probes], work, mine);
+        if (is_solved) probe_residuals(system, d, &work->probes[probes], added, work, mine);
         for (int k = 0; k < sides; k++)
             mine[k] = is_bounded ? mine[k] / sqrt(system->quantile * alpha[sample[p]]) : INFINITY;
         store_answer(system, d, work->answer, &y[(size_t)(sample[p] * sides) * (size_t)system->dimension]);
@@ -184,8 +191,8 @@ static int keep_unmet(const pdmc_reduced_system *system, const double error[], i
     return kept;
 }
 
-pdmc_status pdmc_reduced_system_solve(const pdmc_reduced_system *system, const double xi[], double y[], double error[],
-                                      double alpha[B])
+pdmc_status pdmc_reduced_system_solve(const pdmc_reduced_system *system, const double xi[], const double share[],
+                                      double y[], double error[], double alpha[B])
 {
     pdmc_status status = PDMC_OK;
     const int r = system->dimension, quarter = (r + 3) / 4;
@@ -197,7 +204,7 @@ pdmc_status pdmc_reduced_system_solve(const pdmc_reduced_system *system, const d
     for (int part = system->is_ordered ? 2 : 4; part <= 4 && left > 0; part++) {
         const int d = part * quarter < r ? part * quarter : r;
         for (int first = 0; first < left; first += PANEL)
-            solve_panel(system, d, left - first < PANEL ? left - first : PANEL, &sample[first], xi, alpha, &work, y,
+            solve_panel(system, d, left - first < PANEL ? left - first : PANEL, &sample[first], xi, share, alpha, &work, y,
                         error);
         left = keep_unmet(system, error, left, sample);
     }

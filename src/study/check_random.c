@@ -2,7 +2,6 @@
 #include "study/study_impl.h"
 
 #include "base/base_impl.h"
-#include "pdmc/load_cases.h"
 
 #include <gsl/gsl_cdf.h>
 #include <math.h>
@@ -232,10 +231,6 @@ static pdmc_status check_inverse(const pdmc_study_reader *reader)
                                  "\"%s\" needs a symmetric matrix, as of method = \"bond\" or of a random stiffness, "
                                  "must be \"direct\" or \"neumann\"",
                                  is_reduced ? "reduced" : "krylov");
-    if (is_reduced && pdmc_load_case_count(p) > 1)
-        return pdmc_study_refuse(reader, at,
-                                 "\"reduced\" has one factor for all loads yet, must be \"direct\", \"neumann\" or "
-                                 "\"krylov\" with loads of one side");
     if (is_reduced && pdmc_problem_moves_sides(p))
         return pdmc_study_refuse(reader, at,
                                  "\"reduced\" has no prescribed displacements but 0 yet, must be "

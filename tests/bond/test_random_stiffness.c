@@ -109,7 +109,7 @@ static void the_bound_holds(void **state)
         const int n = model.unknowns, r = reduced.unknowns;
         double *y = new_values((size_t)(B * r)), *x = new_values(B * (size_t)n), *Kx = new_values(B * (size_t)n);
         bound.intensity = new_values(B * 2 * TIPS);
-        CHECK_OK(pdmc_reduced_solve(&reduced, xi, y, &bound));
+        CHECK_OK(pdmc_reduced_solve(&reduced, xi, NULL, y, &bound));
         for (int s = 0; s < CHECKED; s++) CHECK_OK(model.verbs->solve(&model, &xi[s * model.terms], scale, &x[s * n]));
         CHECK_OK(model.verbs->multiply(&model, 1.0, xi, x, Kx));
         for (int s = 0; s < CHECKED; s++) {

@@ -56,7 +56,7 @@ static void the_bound_holds(void **state)
         CHECK_OK(pdmc_reduced_create(&drawn.variables, &goal, 2, &reduced));
         double *y = pdmc_calloc((size_t)B * (size_t)reduced.unknowns, sizeof *y);
         bound.intensity = pdmc_calloc(B * 2 * TIPS, sizeof(double));
-        CHECK_OK(pdmc_reduced_solve(&reduced, xi, y, &bound));
+        CHECK_OK(pdmc_reduced_solve(&reduced, xi, NULL, y, &bound));
         true_errors(&c, &reduced, xi, y, error);
         for (int s = 0; s < B; s++) {
             size = fmax(size, cblas_dnrm2(reduced.unknowns, &y[s * reduced.unknowns], 1));

@@ -96,7 +96,7 @@ static void the_bound_holds_for_samples_of_a_field(void **state)
     const int n = model.unknowns, r = reduced.unknowns;
     double *y = new_values((size_t)(B * r)), *x = new_values((size_t)n), least = INFINITY, most = 0.0;
     bound.intensity = new_values(B * 4);
-    CHECK_OK(pdmc_reduced_solve(&reduced, xi, y, &bound));
+    CHECK_OK(pdmc_reduced_solve(&reduced, xi, NULL, y, &bound));
     int bounded = 0;
     for (int c = 0; c < COUNT; c++) {
         if (!isfinite(bound.error[c])) continue;

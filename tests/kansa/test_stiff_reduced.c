@@ -67,7 +67,7 @@ static void intensities_are_bounded(void **state)
         CHECK_OK(pdmc_reduced_create(&p.drawn.variables, &goal, 2, &reduced));
         const int r = reduced.unknowns;
         double *y = new_values((size_t)(B * r));
-        CHECK_OK(pdmc_reduced_solve(&reduced, p.xi, y, &bound));
+        CHECK_OK(pdmc_reduced_solve(&reduced, p.xi, NULL, y, &bound));
         for (int k = 0; k < B * ROWS; k++) {
             const int s = k / ROWS;
             const double error = fabs(p.exact[k] - inner(r, &reduced.stress_intensity[k % ROWS * r], &y[s * r]));

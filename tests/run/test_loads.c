@@ -418,6 +418,52 @@ static void plates_of_their_own_have_all_loads(void **state)
         for (int c = 0; c < COUNT; c++) CHECK_NEAR(own[k * B + c], fixed[k * B + c], rounding[0] * fixed[c]);
 }
 
+// A reduced model of bonds under loads that combine five cases, of which one is the sum of two others: within its bounds
+// of samples that are solved directly, and the bounds as small as was asked for.
+static void the_reduced_model_has_all_loads(void **state)
+{
+    (void)state;
+    enum { DIRECT = 8 };
+    plate p;
+    solved s;
+    drawn_block samples;
+    pdmc_affine reduced;
+    pdmc_block *small = NULL;
+    double K[2 * B], worst = 0.0, largest = 0.0;
+    plate_make(&p, PDMC_METHOD_BOND);
+    p.uncertainties[0] = (pdmc_uncertainty){PDMC_QUANTITY_MICROMODULUS, .bins = 10, .variation = 0.1};
+    p.uncertainties[1] = scalar(PDMC_QUANTITY_LOAD_TOP, 1.0, 0.3);
+    p.uncertainties[2] = scalar(PDMC_QUANTITY_LOAD_RIGHT, 1.0, 0.5);
+    p.uncertainties[3] = noise(PDMC_SIDE_TOP, PDMC_COVARIANCE_EXPONENTIAL, 1.0, 3);
+    p.problem.uncertainty_count = 4;
+    open_model(&p.problem, &s);
+    pdmc_block *block = drawn_block_begin(&samples, &p.problem, &s.model, B);
+    CHECK_OK(pdmc_block_solve_by(block, PDMC_INVERSE_DIRECT, DIRECT));
+    pdmc_block_energies(block, PDMC_BONDS_ALL);
+    memcpy(K, block->intensity, sizeof K);
+    const double tolerance = 2e-3;
+    const pdmc_reduced_goal goal = {.error = tolerance, .intensity = &tolerance};
+    CHECK_OK(pdmc_reduced_create(&samples.variables, &goal, 1, &reduced));
+    CHECK_OK(pdmc_block_create(&samples.variables, &reduced, &small));
+    CHECK_OK(pdmc_block_draw(small, 0, B));
+    CHECK_OK(pdmc_block_solve_by(small, PDMC_INVERSE_REDUCED, B));
+    pdmc_block_energies(small, PDMC_BONDS_ALL);
+    for (int c = 0; c < DIRECT; c++)
+        for (int k = 0; k < 2; k++) {
+            const double error = fabs(small->intensity[k * B + c] - K[k * B + c]);
+            assert_true(error <= small->bound.intensity[2 * c + k]);
+            worst = fmax(worst, error);
+            largest = fmax(largest, small->bound.intensity[2 * c + k]);
+        }
+    print_message("  %d of %d unknowns, errors of K up to %.1e, bounds up to %.1e\n", reduced.unknowns,
+                  s.model.unknowns, worst, largest);
+    assert_true(largest < 2.0 * tolerance); // training samples meet the tolerance, others may be somewhat worse
+    pdmc_block_destroy(&small);
+    pdmc_affine_clear(&reduced);
+    drawn_block_end(&samples);
+    close_model(&s);
+}
+
 static void what_would_not_balance_is_refused(void **state)
 {
     (void)state;
@@ -474,6 +520,7 @@ int main(void)
         cmocka_unit_test(every_inverse_has_all_loads),
         cmocka_unit_test(every_crack_model_has_the_cases),
         cmocka_unit_test(the_weak_form_has_the_cases),
+        cmocka_unit_test(the_reduced_model_has_all_loads),
         cmocka_unit_test(threads_change_no_bit),
         cmocka_unit_test(plates_of_their_own_have_all_loads),
         cmocka_unit_test(what_would_not_balance_is_refused),
