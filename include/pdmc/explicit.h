@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// A problem of explicit dynamics: bodies of bonds in motion, what acts on them, and what is recorded. Plain data in the
-/// study's own units; see pdmc/particles.h for what is computed.
+/// A problem of explicit dynamics: bodies of bonds in motion, what acts on them, and what is recorded. Plain data in
+/// the study's own units; see pdmc/particles.h for what is computed.
 
 #include "pdmc/particles.h"
 
@@ -58,8 +58,8 @@ typedef struct {
 /// Frees what the problem owns and sets it to zero; a zeroed one is allowed.
 PDMC_API void pdmc_explicit_clear(pdmc_explicit *problem);
 
-/// The law of a material's bonds: its micromodulus, from Young's or the bulk modulus where these are given, E = 3 k (1 - 2
-/// nu), and its critical stretch, from the fracture energy, or infinite.
+/// The law of a material's bonds: its micromodulus, from Young's or the bulk modulus where these are given,
+/// E = 3 k (1 - 2 nu), and its critical stretch, from the fracture energy, or infinite.
 PDMC_API pdmc_brittle_material pdmc_explicit_law(const pdmc_explicit *problem, const pdmc_explicit_material *material);
 
 /// Area or volume of a shape.

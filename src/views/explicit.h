@@ -18,8 +18,8 @@ pdmc_tip_growth pdmc_growth_of(const pdmc_explicit_record *record, int tip);
 double pdmc_of_tip(const pdmc_explicit_record *record, const double values[], int at, int tip);
 const double *pdmc_of_sphere(const pdmc_explicit_record *record, const double values[], int at, int sphere);
 
-/// The largest difference between what came in, first + work, and what it has become, over the largest of the latter; NaN
-/// without either.
+/// The largest difference between what came in, first + work, and what it has become, over the largest of the latter;
+/// NaN without either.
 double pdmc_explicit_balance_error(const pdmc_explicit_record *record);
 
 /// The number of the first node of the last snapshot in the arrays of states.

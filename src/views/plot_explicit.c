@@ -84,8 +84,8 @@ static void find_bounds(const pdmc_explicit_record *p, double least[PDMC_AXES], 
     }
 }
 
-/// The damage of the nodes in the plane of the axes `across` and `up`. Of nodes that lie behind each other the last one is
-/// seen, which is the highest in z; with `through` >= 0 only those in the middle along that axis.
+/// The damage of the nodes in the plane of the axes `across` and `up`. Of nodes that lie behind each other the last one
+/// is seen, which is the highest in z; with `through` >= 0 only those in the middle along that axis.
 static pdmc_status make_raster(const pdmc_explicit_record *p, int across, int up, int through, raster *image)
 {
     pdmc_status status = PDMC_OK;

@@ -230,8 +230,8 @@ static void moduli_say_the_same(void **state)
     }
 }
 
-// The counts are of whole families: exact for nodes in the middles of cells and for the stable step of a body that has one,
-// above the engine's for bonds.
+// The counts are of whole families: exact for nodes in the middles of cells and for the stable step of a body that has
+// one, above the engine's for bonds.
 static void counts_bound_those_of_the_engine(void **state)
 {
     (void)state;
