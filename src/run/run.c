@@ -11,6 +11,8 @@
 
 #include <gsl/gsl_math.h>
 #include <math.h>
+#include <omp.h>
+#include <stdio.h>
 #include <sys/resource.h>
 #include <time.h>
 
@@ -79,42 +81,65 @@ done:
     return status;
 }
 
-// The difference to a solution with 1.25 times the spacing: a residual does not bound the error of K, this does so far.
-static pdmc_status estimate_errors(const pdmc_problem *problem, int threads, pdmc_results *results)
+// The plate and, to estimate errors by, a coarser one: a residual does not bound the error of K, their difference does so far.
+typedef struct {
+    pdmc_problem coarse; // which the coarser plate looks at
+    pdmc_discretisation plate, coarser;
+    bool has_coarser;
+} plates;
+
+static void plates_clear(plates *p)
 {
-    pdmc_status status = PDMC_OK;
-    pdmc_problem coarse = *problem;
-    pdmc_discretisation plate = {0};
-    const bool is_coarser = pdmc_make_coarser(&coarse);
-    for (int t = 0; t < results->tip_count && !is_coarser; t++) {
-        pdmc_tip *tip = &results->tips[t];
-        tip->stress_intensity_error[0] = tip->stress_intensity_error[1] = tip->t_stress_error = NAN;
+    pdmc_discretisation_clear(&p->plate);
+    pdmc_discretisation_clear(&p->coarser);
+}
+
+// Grids of bonds side by side, since their factorisation takes one thread; a collocation shares its own work among all.
+static pdmc_status discretise(const pdmc_problem *problem, int threads, plates *p)
+{
+    p->coarse = *problem;
+    p->has_coarser = problem->energy.tip_count > 0 && pdmc_make_coarser(&p->coarse);
+    const int sides = p->has_coarser && threads > 1 && problem->solver.method == PDMC_METHOD_BOND ? 2 : 1;
+    pdmc_status status = PDMC_OK, other = PDMC_OK;
+    char message[512] = ""; // errors are kept for the thread that met them
+#pragma omp parallel num_threads(sides)
+    {
+        if (omp_get_thread_num() == 0) status = pdmc_discretise(problem, threads, &p->plate);
+        if (omp_get_thread_num() == sides - 1 && p->has_coarser && (sides == 2 || status == PDMC_OK)) {
+            other = pdmc_discretise(&p->coarse, threads, &p->coarser);
+            if (other != PDMC_OK) snprintf(message, sizeof message, "%s", pdmc_last_error());
+        }
     }
-    if (!is_coarser) return PDMC_OK;
-    PDMC_TRY(pdmc_discretise(&coarse, threads, &plate));
+    if (status != PDMC_OK || other == PDMC_OK) return status;
+    return pdmc_raise(other, "%s", message);
+}
+
+static pdmc_status estimate_errors(const pdmc_problem *problem, const plates *p, pdmc_results *results)
+{
     for (int t = 0; t < results->tip_count; t++) {
-        pdmc_tip *tip = &results->tips[t], other;
-        PDMC_TRY(plate.verbs->tip(plate.method, problem->energy.tips[t], &other));
+        pdmc_tip *tip = &results->tips[t], other = {.stress_intensity = {NAN, NAN}, .t_stress = NAN};
+        const pdmc_discretisation *coarser = &p->coarser;
+        const pdmc_status status =
+            p->has_coarser ? coarser->verbs->tip(coarser->method, problem->energy.tips[t], &other) : PDMC_OK;
+        if (status != PDMC_OK) return status;
         for (int k = 0; k < 2; k++)
             tip->stress_intensity_error[k] = fabs(tip->stress_intensity[k] - other.stress_intensity[k]);
         tip->t_stress_error = fabs(tip->t_stress - other.t_stress);
     }
-done:
-    pdmc_discretisation_clear(&plate);
-    return status;
+    return PDMC_OK;
 }
 
-static pdmc_status describe_solution(const pdmc_problem *problem, const pdmc_discretisation *plate, int threads,
-                                     pdmc_results *results)
+static pdmc_status describe_solution(const pdmc_problem *problem, const plates *p, int threads, pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
+    const pdmc_discretisation *plate = &p->plate;
     const pdmc_uncertainty *noise = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_MICROMODULUS);
     results->bin_count = noise ? noise->bins : 0;
     PDMC_NEW(results->tips, problem->energy.tip_count);
     results->tip_count = problem->energy.tip_count;
     for (int t = 0; t < results->tip_count; t++)
         PDMC_TRY(plate->verbs->tip(plate->method, problem->energy.tips[t], &results->tips[t]));
-    if (results->tip_count > 0) PDMC_TRY(estimate_errors(problem, threads, results));
+    PDMC_TRY(estimate_errors(problem, p, results));
     results->solver = plate->verbs->report(plate->method);
     PDMC_TRY(plate->verbs->field(plate->method, &results->field));
     plate->verbs->runtime(plate->method, &results->runtime.assembly, &results->runtime.factorisation);
@@ -167,16 +192,16 @@ static double peak_memory(void)
 static pdmc_status run_plate(const pdmc_problem *problem, const pdmc_run_options *options, pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
-    pdmc_discretisation plate = {0};
+    plates p = {0};
     PDMC_TRY(describe_geometry(problem, results));
     PDMC_TRY(ask(problem, options));
-    PDMC_TRY(pdmc_discretise(problem, options->threads, &plate));
+    PDMC_TRY(discretise(problem, options->threads, &p));
     PDMC_TRY(ask(problem, options));
-    PDMC_TRY(describe_solution(problem, &plate, options->threads, results));
+    PDMC_TRY(describe_solution(problem, &p, options->threads, results));
     PDMC_TRY(ask(problem, options));
-    PDMC_TRY((problem->kind == PDMC_STATIC ? run_samples : pdmc_run_motion)(problem, &plate, options, results));
+    PDMC_TRY((problem->kind == PDMC_STATIC ? run_samples : pdmc_run_motion)(problem, &p.plate, options, results));
 done:
-    pdmc_discretisation_clear(&plate);
+    plates_clear(&p);
     return status;
 }
 

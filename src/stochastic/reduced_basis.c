@@ -10,9 +10,9 @@
 #include <math.h>
 #include <string.h>
 
-static const double share_left_out = 0.2; // of the error that is allowed: smaller directions do not enter the basis
+static const double share_left_out = 0.05; // of the error that is allowed: smaller directions do not enter the basis
 
-enum { B = PDMC_BLOCK, CAPACITY = PDMC_REDUCED_CAPACITY, MOST_ROUNDS = 12, MOST_OF_A_ROUND = 3 * B / 4, PART = B / 4 };
+enum { B = PDMC_BLOCK, CAPACITY = PDMC_REDUCED_CAPACITY, MOST_ROUNDS = 12, PART = B / 4 };
 
 static const double margin = 0.6; // of the goal that training samples meet: the worst of thousands is worse than theirs
 
@@ -95,8 +95,8 @@ static pdmc_status make_loads(pdmc_reduced_builder *b)
     if (status != PDMC_OK) return status;
     for (size_t k = n; k < (size_t)sides * n; k++)
         b->load[k] = b->probe[k % n] != 0.0 ? b->full->stress_intensity[k - n] : 0.0;
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, sides + added, PDMC_PROBES, b->n, 1.0, b->load, b->n, b->probe, b->n,
-                0.0, b->system->probe_load, PDMC_PROBES);
+    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, sides + added, PDMC_PROBES, b->n, 1.0, b->load, b->n, b->probe,
+                b->n, 0.0, b->system->probe_load, PDMC_PROBES);
     return PDMC_OK;
 }
 
@@ -221,8 +221,8 @@ static pdmc_status project(pdmc_reduced_builder *b, int count)
     const int n = b->n, first = b->system->dimension;
     const double *vectors = &b->basis[(size_t)first * (size_t)n];
     b->system->dimension += count;
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, b->system->sides + b->system->added, count, n, 1.0, b->load, n, vectors, n, 0.0,
-                &b->system->load[first], CAPACITY);
+    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, b->system->sides + b->system->added, count, n, 1.0, b->load, n,
+                vectors, n, 0.0, &b->system->load[first], CAPACITY);
     project_on_probes(b, 0, first, count, &b->image[(size_t)first * (size_t)n]);
     return (b->full->verbs->project ? project_at_once : project_terms)(b, first, count);
 }
@@ -242,7 +242,7 @@ static pdmc_status enrich(pdmc_reduced_builder *b, double small, int *added)
     if (info != 0) PDMC_FAIL(PDMC_ERR_EXTERN, "LAPACKE_dsyev returned %d", info);
     const double negligible = fmax(rounding * eigenvalue[B - 1], small * small);
     *added = 0;
-    while (*added < MOST_OF_A_ROUND && *added < room && eigenvalue[B - 1 - *added] > negligible) ++*added;
+    while (*added < B && *added < room && eigenvalue[B - 1 - *added] > negligible) ++*added;
     for (int k = 0; k < *added; k++) cblas_dscal(B, 1.0 / sqrt(eigenvalue[B - 1 - k]), &gram[(B - 1 - k) * B], 1);
     const size_t end = (size_t)b->system->dimension * (size_t)n;
     const double *combination = &gram[(B - *added) * B];
@@ -263,8 +263,8 @@ static pdmc_status begin_basis(pdmc_reduced_builder *b, int *added)
     memset(b->block, 0, B * n * sizeof *b->block);
     memcpy(b->block, pdmc_affine_solution(b->full, 1), n * sizeof *b->block);
     PDMC_TRY(enrich(b, 0.0, added));
-    for (int first = 1; first < b->system->sides; first += MOST_OF_A_ROUND) {
-        const int left = b->system->sides - first, count = left < MOST_OF_A_ROUND ? left : MOST_OF_A_ROUND;
+    for (int first = 1; first < b->system->sides; first += B) {
+        const int left = b->system->sides - first, count = left < B ? left : B;
         memset(b->product, 0, B * n * sizeof *b->product);
         memcpy(b->product, &b->load[(size_t)first * n], (size_t)count * n * sizeof *b->product);
         PDMC_TRY(b->full->verbs->precondition(b->full, b->product, b->block));
@@ -282,8 +282,8 @@ static pdmc_status add_cases(pdmc_reduced_builder *b)
     const double size = cblas_dnrm2(b->system->dimension, b->system->load, 1);
     const size_t n = (size_t)b->n;
     int added;
-    for (int first = 2; first < b->full->cases; first += MOST_OF_A_ROUND) {
-        const int left = b->full->cases - first, count = left < MOST_OF_A_ROUND ? left : MOST_OF_A_ROUND;
+    for (int first = 2; first < b->full->cases; first += B) {
+        const int left = b->full->cases - first, count = left < B ? left : B;
         memset(b->block, 0, B * n * sizeof *b->block);
         memcpy(b->block, pdmc_affine_solution(b->full, first), (size_t)count * n * sizeof *b->block);
         PDMC_TRY(enrich(b, combined * size, &added));
@@ -369,8 +369,7 @@ static pdmc_status train_block(const pdmc_reduced_builder *b, uint64_t first, do
     PDMC_TRY(pdmc_variables_draw(b->variables, B, drawn.z, drawn.draw));
     memcpy(xi, drawn.xi, (size_t)(B * b->full->terms) * sizeof *xi);
     for (int s = 0; s < B; s++)
-        for (int l = 0; l < b->system->added; l++)
-            share[s * b->system->added + l] = drawn.draw[s].load_pattern[2 + l];
+        for (int l = 0; l < b->system->added; l++) share[s * b->system->added + l] = drawn.draw[s].load_pattern[2 + l];
     PDMC_TRY(pdmc_reduced_system_solve(b->system, xi, share, y, error, alpha));
 done:
     pdmc_draws_clear(&drawn);
@@ -388,7 +387,7 @@ static pdmc_status train(pdmc_reduced_builder *b, int round, double y[], double 
     for (size_t s = 0; s < PDMC_TRAINING; s += B) {
         const uint64_t first = training_samples + (uint64_t)round * PDMC_TRAINING + s;
         const pdmc_status mine = train_block(b, first, &b->training[s * terms], &b->training_share[s * added],
-                                            &y[s * sides * r], &error[s * sides]);
+                                             &y[s * sides * r], &error[s * sides]);
         if (mine != PDMC_OK) {
 #pragma omp critical(pdmc_reduced)
             status = mine;
