@@ -120,7 +120,7 @@ static pdmc_status solve(const pdmc_affine *model, const double xi[], const doub
                     xi + model->radial_terms, 1, 0.0, node, 1);
     const pdmc_bond_moduli moduli = {shell, node};
     PDMC_TRY(pdmc_bond_matrix_create(&bond->plate, &moduli, &matrix));
-    PDMC_TRY(pdmc_bond_factor_create(&matrix, bond->factor, &factor));
+    PDMC_TRY(pdmc_bond_factor_create(&matrix, bond->factor, NULL, &factor));
     PDMC_TRY(pdmc_bond_solve(bond, factor, &moduli, scale, x));
 done:
     pdmc_bond_factor_destroy(&factor);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bond/bond.h"
+#include "bond/dissection.h"
 #include "bond/nodal.h"
 
 #include <cblas.h>
@@ -121,16 +122,20 @@ static pdmc_status factor_mean(pdmc_bond *bond)
     const double start = pdmc_seconds();
     pdmc_bond_matrix matrix = {0};
     double *factor = NULL;
+    int64_t *order = NULL;
     PDMC_NEW(factor, shells);
+    PDMC_NEW(order, bond->unknowns);
     for (int s = 0; s < shells; s++) factor[s] = 1.0;
     PDMC_TRY(pdmc_bond_matrix_create(&bond->plate, &(pdmc_bond_moduli){.shell = factor}, &matrix));
     const double assembled = pdmc_seconds();
-    PDMC_TRY(pdmc_bond_factor_create(&matrix, NULL, &bond->factor));
+    pdmc_bond_dissection(&bond->plate, order);
+    PDMC_TRY(pdmc_bond_factor_create(&matrix, NULL, order, &bond->factor));
     bond->assembly_seconds += assembled - start;
     bond->factorisation_seconds = pdmc_seconds() - assembled;
 done:
     pdmc_bond_matrix_clear(&matrix);
     pdmc_free(factor);
+    pdmc_free(order);
     return status;
 }
 

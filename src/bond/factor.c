@@ -72,16 +72,7 @@ static cholmod_factor *symbolic_copy(cholmod_factor *pattern, cholmod_common *co
     return copy;
 }
 
-// METIS takes its numbers from the one sequence of the C library: two orderings at a time would be of chance.
-static cholmod_factor *analyze(cholmod_sparse *matrix, cholmod_common *common)
-{
-    cholmod_factor *factor;
-#pragma omp critical(pdmc_bond_analyze)
-    factor = cholmod_l_analyze(matrix, common);
-    return factor;
-}
-
-pdmc_status pdmc_bond_factor_create(const pdmc_bond_matrix *matrix, const pdmc_bond_factor *pattern,
+pdmc_status pdmc_bond_factor_create(const pdmc_bond_matrix *matrix, const pdmc_bond_factor *pattern, int64_t order[],
                                     pdmc_bond_factor **factor)
 {
     pdmc_status status = PDMC_OK;
@@ -89,7 +80,12 @@ pdmc_status pdmc_bond_factor_create(const pdmc_bond_matrix *matrix, const pdmc_b
     pdmc_bond_factor *made = NULL;
     PDMC_NEW(made, 1);
     prepare(&made->common);
-    made->factor = pattern ? symbolic_copy(pattern->factor, &made->common) : analyze(&view, &made->common);
+    if (order) { // that one, and no other is tried
+        made->common.nmethods = 1;
+        made->common.method[0].ordering = CHOLMOD_GIVEN;
+    }
+    made->factor = pattern ? symbolic_copy(pattern->factor, &made->common)
+                           : cholmod_l_analyze_p(&view, order, NULL, 0, &made->common);
     PDMC_TRY(failure(&made->common, "cholmod_analyze"));
     const int levels = forbid_threads();
     cholmod_l_factorize(&view, made->factor, &made->common);

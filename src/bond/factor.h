@@ -6,11 +6,13 @@
 /// The Cholesky factor of a symmetric positive definite matrix (CHOLMOD, supernodal).
 typedef struct pdmc_bond_factor pdmc_bond_factor;
 
-/// @param[in]  pattern  a factor of a matrix of the same pattern, whose ordering is used again; NULL to find one
+/// @param[in]  pattern  a factor of a matrix of the same pattern, whose ordering is used again; NULL for none
+/// @param[in]  order    [unknowns] where there is no pattern: the unknown that comes first, second, ...; NULL for one that
+///                      CHOLMOD finds, which several threads must not ask for at a time
 /// @param[out] factor   destroy with pdmc_bond_factor_destroy()
 /// @return PDMC_OK, PDMC_ERR_SINGULAR (not positive definite), PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
 PDMC_NODISCARD pdmc_status pdmc_bond_factor_create(const pdmc_bond_matrix *matrix, const pdmc_bond_factor *pattern,
-                                                   pdmc_bond_factor **factor);
+                                                   int64_t order[], pdmc_bond_factor **factor);
 
 /// NULL is allowed; sets the pointer to NULL.
 void pdmc_bond_factor_destroy(pdmc_bond_factor **factor);

@@ -126,7 +126,7 @@ static pdmc_status factor(const finite_element_solution *s, pdmc_bond_factor **o
     sum = cholmod_l_triplet_to_sparse(parts, 0, &common);
     if (!sum) PDMC_FAIL(PDMC_ERR_NOMEM, "no memory for %zu entries", entries);
     const pdmc_bond_matrix matrix = {.unknowns = (int)unknowns, .start = sum->p, .row = sum->i, .value = sum->x};
-    PDMC_TRY(pdmc_bond_factor_create(&matrix, NULL, out));
+    PDMC_TRY(pdmc_bond_factor_create(&matrix, NULL, NULL, out));
 done:
     cholmod_l_free_sparse(&sum, &common);
     cholmod_l_free_triplet(&parts, &common);
