@@ -145,8 +145,8 @@ static pdmc_status create(const pdmc_particles_options *o, pdmc_particles *p)
     p->repulsion = repulsion_of(o, p->lattice.volume);
     PDMC_TRY(pdmc_contact_create(o, &p->lattice, p->repulsion, &p->contact));
     for (int c = 0; c < o->condition_count; c++) {
-        PDMC_TRY(pdmc_layer_create(&o->conditions[c], &p->lattice, p->density, &p->layers[c]));
         p->layer_count++;
+        PDMC_TRY(pdmc_layer_create(&o->conditions[c], &p->lattice, p->density, &p->layers[c]));
     }
     p->kernel = pdmc_forces_choose(&p->kernel_name);
     start_nodes(o, p);
