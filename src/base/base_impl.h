@@ -50,8 +50,9 @@ extern int pdmc_alloc_refused;    // tests only: how many were refused
 
 /// Makes OpenBLAS run on the calling thread alone. Its results can change with its number of threads, and its threads
 /// fight with ours: it is called from our own parallel loops, over blocks whose shape does not depend on the number of
-/// threads. Process-wide, and harmless to repeat. OpenBLAS asks
-/// OpenMP for the number: omp_get_max_threads() is 1 from here on, and must not be set to another.
+/// threads. Process-wide, and harmless to repeat; but OpenBLAS asks
+/// OpenMP for the number, so that omp_get_max_threads() is 1 from here on and must not be set to another, and a call inside
+/// a parallel region holds to its end only.
 void pdmc_blas_prepare(void);
 
 /// Before a function: versions of it for processors with longer vectors, chosen when the library is loaded, as in

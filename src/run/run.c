@@ -102,6 +102,7 @@ static pdmc_status discretise(const pdmc_problem *problem, int threads, plates *
     const int sides = p->has_coarser && threads > 1 && problem->solver.method == PDMC_METHOD_BOND ? 2 : 1;
     pdmc_status status = PDMC_OK, other = PDMC_OK;
     char message[512] = ""; // errors are kept for the thread that met them
+    pdmc_blas_prepare();    // what is set inside a parallel region does not come out of it
 #pragma omp parallel num_threads(sides)
     {
         if (omp_get_thread_num() == 0) status = pdmc_discretise(problem, threads, &p->plate);
