@@ -38,7 +38,7 @@ typedef struct {
 /// Nodes of one material that start with one velocity. Bonds connect nodes of one body; different bodies only touch.
 typedef struct {
     char name[PDMC_NAME_SIZE];
-    pdmc_shape shape; // where bodies overlap, the last one has the nodes
+    pdmc_shape shape; // of which no node is in another body
     int material;
     double velocity[PDMC_AXES];
 } pdmc_body;
@@ -125,8 +125,8 @@ PDMC_API double pdmc_brittle_critical_stretch(int dimension, double fracture_ene
 
 /// Places the nodes, cuts the cracks, and starts at time 0.
 /// @param[out] particles  to be destroyed by the caller; NULL on failure
-/// @return PDMC_OK; PDMC_ERR_ARG with the reason where there is no node, a step is not stable, a crack isolates a node, or
-///         two bodies start in contact; PDMC_ERR_NOMEM
+/// @return PDMC_OK; PDMC_ERR_ARG with the reason where there is no node, bodies overlap, a step is not stable, or a crack
+///         crosses no bond or isolates a node; PDMC_ERR_NOMEM
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_particles_create(const pdmc_particles_options *options,
                                                           pdmc_particles **particles);
 PDMC_API void pdmc_particles_destroy(pdmc_particles *particles);

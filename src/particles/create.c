@@ -140,7 +140,7 @@ static pdmc_status create(const pdmc_particles_options *o, pdmc_particles *p)
     PDMC_TRY(pdmc_lattice_create(o, &p->lattice));
     PDMC_TRY(choose_step(o, p));
     PDMC_TRY(make_room(o, p));
-    pdmc_lattice_cut(&p->lattice, o->crack_count, o->cracks);
+    PDMC_TRY(pdmc_lattice_cut(&p->lattice, o->crack_count, o->cracks));
     PDMC_TRY(find_isolated(&p->lattice));
     p->repulsion = repulsion_of(o, p->lattice.volume);
     PDMC_TRY(pdmc_contact_create(o, &p->lattice, p->repulsion, &p->contact));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/lattice.h"
+
+#include "base/base_impl.h"
 #include "pdmc/geometry.h"
 
 #include <math.h>
@@ -46,7 +48,8 @@ static bool crosses(const pdmc_planar_crack *crack, const double p[], const doub
     switch (crack->kind) {
     case PDMC_CRACK_SEGMENT: return crosses_segment(crack, p, q);
     case PDMC_CRACK_DISC:
-        return cross_plane(crack->centre, crack->normal, p, q, at) && dot(at, at) <= with_rounding * crack->radius * crack->radius;
+        return cross_plane(crack->centre, crack->normal, p, q, at) &&
+               dot(at, at) <= with_rounding * crack->radius * crack->radius;
     case PDMC_CRACK_RECTANGLE:
         cross(crack->side[0], crack->side[1], normal);
         if (!cross_plane(crack->centre, normal, p, q, at)) return false;
@@ -56,35 +59,38 @@ static bool crosses(const pdmc_planar_crack *crack, const double p[], const doub
     return false;
 }
 
-static bool is_cut(int count, const pdmc_planar_crack cracks[], const double p[], const double q[])
-{
-    for (int c = 0; c < count; c++)
-        if (crosses(&cracks[c], p, q)) return true;
-    return false;
-}
-
 /// Both directions of a bond are asked in the same order of its ends, so that they agree.
-static bool bond_is_cut(const pdmc_lattice *g, int count, const pdmc_planar_crack cracks[], size_t i, size_t j)
+static bool is_cut(const pdmc_lattice *g, const pdmc_planar_crack *crack, size_t i, size_t j)
 {
     double p[PDMC_AXES], q[PDMC_AXES];
     const size_t first = i < j ? i : j, second = i < j ? j : i;
     for (int a = 0; a < PDMC_AXES; a++) p[a] = g->reference[a][first], q[a] = g->reference[a][second];
-    return is_cut(count, cracks, p, q);
+    return crosses(crack, p, q);
 }
 
-void pdmc_lattice_cut(pdmc_lattice *g, int count, const pdmc_planar_crack cracks[])
+/// @return whether any was
+static bool cut_bonds(pdmc_lattice *g, const pdmc_block *block, const pdmc_planar_crack *crack)
 {
-    if (count == 0) return;
-    for (int b = 0; b < g->block_count; b++) {
-        const pdmc_block *block = &g->blocks[b];
-        for (int n = 0; n < block->listed; n++) {
-            uint8_t *bond = &g->bonds[block->bonds + (size_t)n];
-            const ptrdiff_t shift = g->neighbours[g->lists[block->list + n]].shift;
-            for (unsigned left = *bond; left; left &= left - 1) {
-                const size_t i = block->cell + (size_t)__builtin_ctz(left);
-                if (bond_is_cut(g, count, cracks, i, (size_t)((ptrdiff_t)i + shift)))
-                    *bond &= (uint8_t) ~(1u << __builtin_ctz(left));
-            }
+    bool any = false;
+    for (int n = 0; n < block->listed; n++) {
+        uint8_t *bonds = &g->bonds[block->bonds + (size_t)n];
+        const ptrdiff_t shift = g->neighbours[g->lists[block->list + n]].shift;
+        for (unsigned left = *bonds; left; left &= left - 1) {
+            const size_t i = block->cell + (size_t)__builtin_ctz(left);
+            if (!is_cut(g, crack, i, (size_t)((ptrdiff_t)i + shift))) continue;
+            *bonds &= (uint8_t) ~(1u << __builtin_ctz(left));
+            any = true;
         }
     }
+    return any;
+}
+
+pdmc_status pdmc_lattice_cut(pdmc_lattice *g, int count, const pdmc_planar_crack cracks[])
+{
+    for (int c = 0; c < count; c++) {
+        bool any = false;
+        for (int b = 0; b < g->block_count; b++) any |= cut_bonds(g, &g->blocks[b], &cracks[c]);
+        PDMC_REQUIRE(any, "cracks[%d] crosses no bond, or none that those before it have left", c);
+    }
+    return PDMC_OK;
 }

@@ -108,15 +108,19 @@ done:
 }
 
 /// The body that has the node, -1 for none.
-static int body_at(const pdmc_particles_options *options, const double x[])
+static pdmc_status body_at(const pdmc_particles_options *options, const double x[], int16_t *body)
 {
-    int body = -1;
-    for (int b = 0; b < options->body_count; b++)
-        if (pdmc_shape_holds(&options->bodies[b].shape, x, slack * options->spacing)) body = b;
-    return body;
+    *body = -1;
+    for (int b = 0; b < options->body_count; b++) {
+        if (!pdmc_shape_holds(&options->bodies[b].shape, x, slack * options->spacing)) continue;
+        PDMC_REQUIRE(*body < 0, "bodies[%d] and bodies[%d] overlap: both have the node at (%g, %g, %g)", *body, b, x[0],
+                     x[1], x[2]);
+        *body = (int16_t)b;
+    }
+    return PDMC_OK;
 }
 
-static void place_nodes(const pdmc_particles_options *options, pdmc_lattice *g)
+static pdmc_status place_nodes(const pdmc_particles_options *options, pdmc_lattice *g)
 {
     int16_t *body = g->body;
     for (size_t c = 0; c < g->cells; c++) {
@@ -130,13 +134,15 @@ static void place_nodes(const pdmc_particles_options *options, pdmc_lattice *g)
                 double x[PDMC_AXES] = {0.0};
                 for (int a = 0; a < g->dimension; a++) x[a] = g->offset[a] + g->spacing * (g->first[a] + place[a]);
                 const size_t c = index_of(g, place);
-                body[c] = (int16_t)body_at(options, x);
+                const pdmc_status status = body_at(options, x, &body[c]);
+                if (status != PDMC_OK) return status;
                 if (body[c] < 0) continue;
                 g->node_count++;
                 for (int a = 0; a < PDMC_AXES; a++) g->reference[a][c] = x[a];
             }
         }
     }
+    return PDMC_OK;
 }
 
 static void list_nodes(pdmc_lattice *g)
@@ -261,7 +267,7 @@ pdmc_status pdmc_lattice_create(const pdmc_particles_options *options, pdmc_latt
     PDMC_NEW(g->body, g->cells + PDMC_LANES);
     for (int a = 0; a < PDMC_AXES; a++) PDMC_NEW(g->reference[a], g->cells + PDMC_LANES);
     PDMC_TRY(find_neighbours(options, g));
-    place_nodes(options, g);
+    PDMC_TRY(place_nodes(options, g));
     if (g->node_count == 0) PDMC_FAIL(PDMC_ERR_ARG, "no node: the bodies hold no point of the grid");
     PDMC_NEW(g->nodes, g->node_count);
     list_nodes(g);

@@ -54,7 +54,7 @@ typedef struct {
 } pdmc_lattice;
 
 /// @param[out] lattice  whose bonds are all whole; clear with pdmc_lattice_clear(), whatever is returned
-/// @return PDMC_OK; PDMC_ERR_ARG where there is no node, or the grid is too large; PDMC_ERR_NOMEM
+/// @return PDMC_OK; PDMC_ERR_ARG where there is no node, bodies overlap, or the grid is too large; PDMC_ERR_NOMEM
 PDMC_NODISCARD pdmc_status pdmc_lattice_create(const pdmc_particles_options *options, pdmc_lattice *lattice);
 void pdmc_lattice_clear(pdmc_lattice *lattice);
 
@@ -66,7 +66,8 @@ double pdmc_lattice_reach(const pdmc_particles_options *options);
 bool pdmc_shape_holds(const pdmc_shape *shape, const double x[PDMC_AXES], double slack);
 
 /// Breaks the bonds that cross cracks.
-void pdmc_lattice_cut(pdmc_lattice *lattice, int count, const pdmc_planar_crack cracks[]);
+/// @return PDMC_OK, or PDMC_ERR_ARG where a crack crosses no bond that those before it have left
+PDMC_NODISCARD pdmc_status pdmc_lattice_cut(pdmc_lattice *lattice, int count, const pdmc_planar_crack cracks[]);
 
 /// The index of the node in a block's cell + k, in the order of the cells.
 int pdmc_lattice_node(const pdmc_block *block, int k);

@@ -113,8 +113,8 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
                                     PARTICLE_LIST(pdmc_explicit_material, materials, material_count),
                                     .check = pdmc_study_check_particle_materials},
     [SECTION_BODIES] = {.name = "bodies", OF(PDMC_EXPLICIT),
-                        .doc = "of an explicit study: list of what is held together by bonds; where bodies overlap, the "
-                               "last one has the nodes",
+                        .doc = "of an explicit study: list of what is held together by bonds; they may touch, but not "
+                               "overlap",
                         PARTICLE_LIST(pdmc_body, bodies, body_count), .check = pdmc_study_check_bodies},
     [SECTION_PLANAR_CRACKS] = {.name = "cracks", OF(PDMC_EXPLICIT),
                                .doc = "of an explicit study: list of surfaces whose bonds are broken at the start; the "

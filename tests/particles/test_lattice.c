@@ -33,7 +33,7 @@ static void bonds_are_those_within_the_horizon(void **state)
     (void)state;
     const pdmc_body bodies[] = {
         {.shape = {.kind = PDMC_SHAPE_BALL, .centre = {0.2, -0.1, 0.3}, .radius = 3.9}},
-        {.shape = {.kind = PDMC_SHAPE_CYLINDER, .from = {3.0, -5.0, 0.0}, .to = {3.0, 6.0, 0.0}, .radius = 1.5}},
+        {.shape = {.kind = PDMC_SHAPE_CYLINDER, .from = {6.0, -5.0, 0.0}, .to = {6.0, 6.0, 0.0}, .radius = 1.5}},
     };
     specimen s;
     make_box(&s, 3, (int[]){1, 1, 1});
@@ -96,7 +96,7 @@ static void cracks_cut_what_crosses_them(void **state)
     pdmc_lattice g;
     for (int kind = 0; kind < 2; kind++) {
         CHECK_OK(pdmc_lattice_create(&s.options, &g));
-        pdmc_lattice_cut(&g, 1, kind == 0 ? &disc : &square);
+        CHECK_OK(pdmc_lattice_cut(&g, 1, kind == 0 ? &disc : &square));
         int cut = 0;
         for (int i = 0; i < g.node_count; i++) {
             for (int j = 0; j < g.node_count; j++) {
@@ -137,6 +137,18 @@ static void refusals(void **state)
     s.options.cracks = &crack;
     CHECK_STATUS(pdmc_particles_create(&s.options, &particles), PDMC_ERR_ARG);
     assert_non_null(strstr(pdmc_last_error(), "cut all bonds of the node at (0, 0, 0)"));
+    make_box(&s, 2, (int[]){5, 5, 1});
+    const pdmc_planar_crack beside = {.kind = PDMC_CRACK_SEGMENT, .from = {5.5, -1}, .to = {5.5, 1}};
+    s.options.crack_count = 1;
+    s.options.cracks = &beside;
+    CHECK_STATUS(pdmc_particles_create(&s.options, &particles), PDMC_ERR_ARG);
+    assert_non_null(strstr(pdmc_last_error(), "cracks[0] crosses no bond"));
+    make_box(&s, 2, (int[]){5, 5, 1});
+    const pdmc_body bodies[] = {s.body, {.shape = {.kind = PDMC_SHAPE_BOX, .from = {4, 3, 0}, .to = {9, 9, 0}}}};
+    s.options.body_count = 2;
+    s.options.bodies = bodies;
+    CHECK_STATUS(pdmc_particles_create(&s.options, &particles), PDMC_ERR_ARG);
+    assert_non_null(strstr(pdmc_last_error(), "bodies[0] and bodies[1] overlap: both have the node at (4, 3, 0)"));
     assert_null(particles);
 }
 
