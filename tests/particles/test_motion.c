@@ -208,6 +208,31 @@ static void energy_balance(void **state)
     CHECK_NEAR(fine.balance / coarse.balance, 0.25, 0.1);
 }
 
+/// Nodes follow a velocity that grows evenly, to rounding.
+static void layers_follow_their_history(void **state)
+{
+    (void)state;
+    specimen s;
+    make_box(&s, 3, (int[]){8, 8, 8});
+    const double time[] = {0.0, 100.0}, factor[] = {1.0, 3.0};
+    const pdmc_layer_condition all = {.kind = PDMC_CONDITION_VELOCITY,
+                                      .region = s.body.shape,
+                                      .along = {true, true, true},
+                                      .value = {0.0, 0.02, 0.0},
+                                      .history = {2, time, factor}};
+    s.options.condition_count = 1;
+    s.options.conditions = &all;
+    pdmc_particles *p = create(&s);
+    CHECK_OK(pdmc_particles_advance(p, 20));
+    const double t = pdmc_particles_time(p), velocity = 0.02 * (1.0 + 0.02 * t);
+    const pdmc_particles_sums sums = pdmc_particles_sum(p);
+    double u[3 * 512];
+    pdmc_particles_state(p, u, NULL, NULL);
+    for (int k = 0; k < 512; k++) CHECK_NEAR(u[3 * k + 1], 0.02 * (t + 0.01 * t * t), 1e-14);
+    CHECK_NEAR(sums.kinetic, 0.5 * 512.0 * velocity * velocity, 1e-12);
+    pdmc_particles_destroy(p);
+}
+
 /// A notched bar that is torn apart: momentum, with every bond that breaks in both directions, and the energy of those bonds.
 static void fracture_keeps_the_balance(void **state)
 {
@@ -314,6 +339,7 @@ int main(void)
         cmocka_unit_test(wave_speed_converges_to_that_of_a_bar),
         cmocka_unit_test(rotation_stretches_nothing),
         cmocka_unit_test(energy_balance),
+        cmocka_unit_test(layers_follow_their_history),
         cmocka_unit_test(fracture_keeps_the_balance),
         cmocka_unit_test(threads_change_no_bit),
         cmocka_unit_test(too_much_is_said),
