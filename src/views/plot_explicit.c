@@ -20,7 +20,7 @@ static void put_time_axis(const pdmc_results *r, const pdmc_figure *figure)
 {
     const pdmc_explicit_record *p = &r->particles;
     pdmc_figure_label(figure, "xlabel", "Time (", r->time_unit, ")");
-    fprintf(figure->script, "set xrange [0:%.9g]\nset rmargin 6\nset key outside top center horizontal maxrows 2\n",
+    fprintf(figure->script, "set xrange [0:%.9g]\nset rmargin 9\nset key outside top center horizontal maxrows 2\n",
             p->record_count > 1 ? p->time[p->record_count - 1] : 1.0);
 }
 
