@@ -139,8 +139,8 @@ PDMC_API double pdmc_particles_step_size(const pdmc_particles *particles);
 PDMC_API const char *pdmc_particles_kernel(const pdmc_particles *particles);
 
 /// Takes steps of the central difference formula (eq. 32).
-/// @return PDMC_OK, or PDMC_ERR_SINGULAR with the step and the node where a position is not finite; the state is then that
-///         of the last step before it
+/// @return PDMC_OK; PDMC_ERR_SINGULAR with the step and the node that would move by more than the horizon in the next one: the
+///         state is then that of this step, and finite; PDMC_ERR_NOMEM
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_particles_advance(pdmc_particles *particles, int steps);
 
 PDMC_API int pdmc_particles_count(const pdmc_particles *particles);         // nodes

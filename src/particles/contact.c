@@ -196,6 +196,7 @@ static pdmc_status make_room(pdmc_contact *contact, int nodes)
     contact->partner = pdmc_calloc(contact->room, sizeof *contact->partner);
     if (contact->partner) return PDMC_OK;
     contact->room = 0;
+    contact->listed = 0;
     return PDMC_ERR_NOMEM;
 }
 

@@ -17,7 +17,7 @@ typedef struct {
 
 /// Of a block's nodes, at micromodulus 1 and a unit of volume.
 typedef struct {
-    lanes force[PDMC_AXES], elastic;
+    lanes force[PDMC_AXES];
     lanes shortest; // max |xi| / p over the bonds
     lanes closest;  // ... over all neighbours
     lanes weakest;  // min |xi| / p - 1 / (1 + s_0) over the bonds: negative where one of them breaks

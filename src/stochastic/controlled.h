@@ -6,8 +6,8 @@
 #include "pdmc/stochastic.h"
 
 /// Fills results->control but for its advice: the mean of the energy in every direction by regression on the cheaper
-/// energy, and the probability of growth by the cheaper event, its threshold G_c times the ratio of the energies at the mean; see pdmc_statistics_control() and
-/// pdmc_statistics_stratified_proportion(). Of samples that failed, in either, nothing is known: all is NaN then.
+/// energy, and the probability of growth by the cheaper event, its threshold G_c times the ratio of the energies at the
+/// mean; see pdmc_statistics_control() and pdmc_statistics_stratified_proportion(). Of samples that failed, in either, nothing is known: all is NaN then.
 /// @param[in]     cheaper  samples of which the first are those of the results, which keep them all
 /// @param[in]     counts   of the cheaper samples, as pdmc_monte_carlo() gives them
 /// @param[in,out] results  summarised
