@@ -158,5 +158,23 @@ PDMC_API pdmc_particles_sums pdmc_particles_sum(const pdmc_particles *particles)
 PDMC_API void pdmc_particles_reference(const pdmc_particles *particles, double x[], int body[]);
 PDMC_API void pdmc_particles_state(const pdmc_particles *particles, double u[], double velocity[], double damage[]);
 
+/// A piece of the bodies: nodes that bonds hold together, directly or by way of others. A node without bonds is a piece.
+typedef struct {
+    int nodes;
+    double mass;
+    double centre[PDMC_AXES], velocity[PDMC_AXES]; // of its centre of mass, as it is now
+} pdmc_fragment;
+
+/// Finds the pieces, numbered from 0 by falling mass, of equal ones by their first node.
+/// @param[out] of_node  [count] the number of each node's piece
+/// @param[out] count    of the pieces
+/// @return PDMC_OK or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_particles_find_fragments(const pdmc_particles *particles, int of_node[],
+                                                                  int *count);
+
+/// What the pieces are. @param[in] of_node, count  as found @param[out] fragments  [count]
+PDMC_API void pdmc_particles_fragments(const pdmc_particles *particles, const int of_node[], int count,
+                                       pdmc_fragment fragments[]);
+
 /// The rigid spheres as they are now. @param[out] spheres  [sphere_count]
 PDMC_API void pdmc_particles_spheres(const pdmc_particles *particles, pdmc_rigid_sphere spheres[]);

@@ -176,6 +176,8 @@ typedef struct {
     double *time, *kinetic, *elastic, *contact, *fracture, *work;        // [N]
     double *momentum;                                                    // [N, 3] force time
     double *mean_damage, *broken;                                        // [N] broken: bonds, as numbers of the file
+    double *fragments, *loose_nodes;                                     // [N] pieces of two nodes or more; single nodes
+    double *largest_fragment;                                            // [N] mass
     double first;                                                        // kinetic energy at the start
     int tip_count;                                                       // T
     pdmc_followed_tip *tips;                                             // [T]
@@ -195,6 +197,9 @@ typedef struct {
     int state_count;          // K n
     double *displacement, *velocity; // [K n, 3]
     double *damage;                  // [K n]
+    int *fragment;                   // [K n] number of the piece that the node is in, from 0 by falling mass
+    int fragment_count;              // F
+    pdmc_fragment *fragment_list;    // [F] the pieces of the last snapshot
 } pdmc_explicit_record;
 
 typedef struct {

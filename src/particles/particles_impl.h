@@ -34,5 +34,8 @@ struct pdmc_particles {
 /// From the state at time 0 to velocities half a step after it.
 PDMC_NODISCARD pdmc_status pdmc_particles_start(pdmc_particles *particles);
 
+/// A node's velocity at the time, between the half steps: v - step / 2 times the acceleration.
+double pdmc_particles_velocity_at(const pdmc_particles *particles, const pdmc_block *block, int axis, size_t cell);
+
 /// Elastic and contact energies of the blocks, as they are.
 void pdmc_particles_find_energies(const pdmc_particles *particles);

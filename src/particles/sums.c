@@ -39,8 +39,7 @@ uint64_t pdmc_particles_bonds(const pdmc_particles *p)
     return directions / 2;
 }
 
-/// Between the half steps: v - step / 2 times the acceleration.
-static double velocity_at(const pdmc_particles *p, const pdmc_block *block, int axis, size_t c)
+double pdmc_particles_velocity_at(const pdmc_particles *p, const pdmc_block *block, int axis, size_t c)
 {
     return p->velocity[axis][c] - 0.5 * p->step / p->density[block->material] * p->force[axis][c];
 }
@@ -51,7 +50,7 @@ static void add_motion(const pdmc_particles *p, const pdmc_block *block, pdmc_pa
     for (unsigned left = block->nodes; left; left &= left - 1) {
         const size_t c = block->cell + (size_t)__builtin_ctz(left);
         for (int a = 0; a < PDMC_AXES; a++) {
-            const double v = velocity_at(p, block, a, c);
+            const double v = pdmc_particles_velocity_at(p, block, a, c);
             sums->kinetic += 0.5 * mass * v * v;
             sums->momentum[a] += mass * v;
         }
@@ -122,7 +121,7 @@ void pdmc_particles_state(const pdmc_particles *p, double u[], double velocity[]
             const size_t c = block->cell + (size_t)k;
             for (int a = 0; a < PDMC_AXES; a++) {
                 if (u) u[PDMC_AXES * node + a] = p->position[a][c] - g->reference[a][c];
-                if (velocity) velocity[PDMC_AXES * node + a] = velocity_at(p, block, a, c);
+                if (velocity) velocity[PDMC_AXES * node + a] = pdmc_particles_velocity_at(p, block, a, c);
             }
             if (damage) damage[node] = g->family[c] > 0 ? 1.0 - (double)whole[k] / g->family[c] : 0.0;
         }

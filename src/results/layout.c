@@ -72,6 +72,8 @@
     OF_LIST("tips/" path, kind, tips, pdmc_followed_tip, name, unit, text, width, PDMC_DIM_FOLLOWED_TIP, __VA_ARGS__)
 #define SPHERE(path, kind, name, unit, text)                                                                           \
     OF_LIST("spheres/" path, kind, spheres, pdmc_sphere_record, name, unit, text, 1, PDMC_DIM_SPHERE, PDMC_DIM_END)
+#define FRAGMENT(path, kind, name, unit, text, width, ...)                                                             \
+    OF_LIST("fragments/" path, kind, fragment_list, pdmc_fragment, name, unit, text, width, PDMC_DIM_FRAGMENT, __VA_ARGS__)
 #define SECONDS(name, text) NUMBER("/runtime/" #name, REAL, runtime.name, TIME, "wall time of " text)
 
 // An axis is sized by the first dataset that has it, so each count comes with an array that holds little else.
@@ -151,6 +153,9 @@ const pdmc_dataset pdmc_datasets[] = {
     RECORD(work, WORK, "work of prescribed velocities, forces and spheres that keep their velocity"),
     RECORD(mean_damage, NONE, "mean over the nodes of the share of bonds that are broken"),
     RECORD(broken, NONE, "bonds that are broken, those that cracks cut included"),
+    RECORD(fragments, NONE, "pieces of two nodes or more that bonds hold together"),
+    RECORD(loose_nodes, NONE, "nodes without bonds"),
+    RECORD(largest_fragment, MASS, "mass of the largest piece"),
     REALS(EXPLICIT "records/momentum", particles.momentum, MOMENTUM, "momentum of all nodes", PDMC_DIM_RECORD,
           PDMC_DIM_AXIS),
     NUMBER(EXPLICIT "records/first_kinetic", REAL, particles.first, WORK, "kinetic energy at the start"),
@@ -179,6 +184,12 @@ const pdmc_dataset pdmc_datasets[] = {
           PDMC_DIM_STATE, PDMC_DIM_AXIS),
     REALS(EXPLICIT "snapshots/velocity", particles.velocity, VELOCITY, "velocity, in the same order", PDMC_DIM_STATE,
           PDMC_DIM_AXIS),
+    ARRAY(EXPLICIT "snapshots/fragment", INT, int, particles.fragment, NONE,
+          "number of the piece the node is in, from 0 by falling mass, in the same order", PDMC_DIM_STATE),
+    FRAGMENT("nodes", INT, nodes, NONE, "nodes of each piece of the last snapshot", 1, PDMC_DIM_END),
+    FRAGMENT("mass", REAL, mass, MASS, "mass", 1, PDMC_DIM_END),
+    FRAGMENT("centre", REAL, centre, LENGTH, "centre of mass", 3, PDMC_DIM_AXIS),
+    FRAGMENT("velocity", REAL, velocity, VELOCITY, "velocity of the centre of mass", 3, PDMC_DIM_AXIS),
 
     REALS("/samples/load_factor", load_factor, NONE, "factor on the loads", PDMC_DIM_SAMPLE),
     REALS("/samples/micromodulus", micromodulus, NONE, "c(r) / c_0 in equal bins of [0, horizon]", PDMC_DIM_KEPT,
@@ -366,6 +377,7 @@ static const struct {
     [PDMC_DIM_PARTICLE] = {"node", MEMBER(particles.node_count), true, 0},
     [PDMC_DIM_SNAPSHOT] = {"snapshot", MEMBER(particles.snapshot_count), true, 0},
     [PDMC_DIM_STATE] = {"node of a snapshot", MEMBER(particles.state_count), true, 0},
+    [PDMC_DIM_FRAGMENT] = {"piece", MEMBER(particles.fragment_count), true, 0},
     [PDMC_DIM_AXIS] = {"x, y, z", 0, false, PDMC_AXES},
     [PDMC_DIM_CONTROLLED_TIP] = {"tip with a control", MEMBER(control.tip_count), true, 0},
     [PDMC_DIM_QUANTILE] = {"quantile level", 0, false, PDMC_QUANTILES},

@@ -156,6 +156,13 @@ static pdmc_status check_states(const pdmc_results *results, pdmc_status code)
     for (int i = 0; i < p->node_count; i++)
         if (p->node_body[i] < 0 || p->node_body[i] >= p->body_count)
             return pdmc_raise(code, "node %d is of body %d, of %d", i, p->node_body[i], p->body_count);
+    for (int i = 0; i < p->state_count; i++)
+        if (p->fragment[i] < 0 || p->fragment[i] >= p->node_count)
+            return pdmc_raise(code, "state %d is of piece %d, of %d nodes", i, p->fragment[i], p->node_count);
+    const int *last = p->snapshot_count > 0 ? &p->fragment[p->state_count - p->node_count] : NULL;
+    for (int i = 0; last && i < p->node_count; i++)
+        if (last[i] >= p->fragment_count)
+            return pdmc_raise(code, "node %d is of piece %d at the end, of %d", i, last[i], p->fragment_count);
     return PDMC_OK;
 }
 

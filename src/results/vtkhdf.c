@@ -58,6 +58,7 @@ static pdmc_status write_sequences(hid_t file, const pdmc_explicit_record *r)
         {"/VTKHDF/Steps/PointDataOffsets/displacement", steps, 0, n},
         {"/VTKHDF/Steps/PointDataOffsets/velocity", steps, 0, n},
         {"/VTKHDF/Steps/PointDataOffsets/damage", steps, 0, n},
+        {"/VTKHDF/Steps/PointDataOffsets/fragment", steps, 0, n},
         {"/VTKHDF/Steps/PointDataOffsets/body", steps, 0, 0},
     };
     const sequence types = {"/VTKHDF/Types", nodes, VTK_VERTEX, 0};
@@ -76,6 +77,7 @@ static pdmc_status link_datasets(hid_t file)
         {"/explicit/snapshots/displacement", "/VTKHDF/PointData/displacement"},
         {"/explicit/snapshots/velocity", "/VTKHDF/PointData/velocity"},
         {"/explicit/snapshots/damage", "/VTKHDF/PointData/damage"},
+        {"/explicit/snapshots/fragment", "/VTKHDF/PointData/fragment"},
         {"/explicit/snapshots/time", "/VTKHDF/Steps/Values"},
     };
     pdmc_status status = PDMC_OK;

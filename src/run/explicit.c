@@ -20,6 +20,8 @@ typedef struct {
     int snapshots;     // that are asked for
     double *front;     // [tips] at the start
     double *damage;    // [nodes]
+    int *piece;        // [nodes] that they are in, as of the last record
+    int pieces;
     pdmc_rigid_sphere *spheres;
 } recorder;
 
@@ -51,6 +53,9 @@ static pdmc_status prepare_records(recorder *r)
     PDMC_NEW(record->momentum, (size_t)PDMC_AXES * (size_t)n);
     PDMC_NEW(record->mean_damage, n);
     PDMC_NEW(record->broken, n);
+    PDMC_NEW(record->fragments, n);
+    PDMC_NEW(record->loose_nodes, n);
+    PDMC_NEW(record->largest_fragment, n);
 done:
     return status;
 }
@@ -110,6 +115,8 @@ static pdmc_status prepare_nodes(recorder *r)
     PDMC_NEW(record->displacement, PDMC_AXES * states);
     PDMC_NEW(record->velocity, PDMC_AXES * states);
     PDMC_NEW(record->damage, states);
+    PDMC_NEW(record->fragment, states);
+    PDMC_NEW(r->piece, n);
     pdmc_particles_reference(r->particles, record->node_position, record->node_body);
     for (int b = 0; b < record->body_count; b++)
         memcpy(record->bodies[b].name, r->study->bodies[b].name, sizeof r->study->bodies[b].name);
@@ -187,18 +194,64 @@ static void record_spheres(recorder *r, int at)
     }
 }
 
+static void repeat_fragments(pdmc_explicit_record *record, int at)
+{
+    record->fragments[at] = record->fragments[at - 1];
+    record->loose_nodes[at] = record->loose_nodes[at - 1];
+    record->largest_fragment[at] = record->largest_fragment[at - 1];
+}
+
+// As long as no bond breaks the pieces are the same.
+static pdmc_status record_fragments(recorder *r, int at)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_explicit_record *record = r->record;
+    pdmc_fragment *list = NULL;
+    int loose = 0;
+    if (at > 0 && record->broken[at] == record->broken[at - 1]) {
+        repeat_fragments(record, at);
+        return PDMC_OK;
+    }
+    PDMC_TRY(pdmc_particles_find_fragments(r->particles, r->piece, &r->pieces));
+    PDMC_NEW(list, r->pieces);
+    pdmc_particles_fragments(r->particles, r->piece, r->pieces, list);
+    for (int i = 0; i < r->pieces; i++) loose += list[i].nodes == 1;
+    record->loose_nodes[at] = loose;
+    record->fragments[at] = r->pieces - loose;
+    record->largest_fragment[at] = list[0].mass;
+done:
+    pdmc_free(list);
+    return status;
+}
+
 // A run that stops may not have moved since the last one.
-static void take_record(recorder *r)
+static pdmc_status take_record(recorder *r)
 {
     const int at = r->record->record_count;
-    if (at > 0 && r->record->time[at - 1] == pdmc_particles_time(r->particles)) return;
+    if (at > 0 && r->record->time[at - 1] == pdmc_particles_time(r->particles)) return PDMC_OK;
     r->record->record_count++;
     record_sums(r, at);
     record_tips(r, at);
     record_spheres(r, at);
+    return record_fragments(r, at);
 }
 
-static void take_snapshot(recorder *r)
+static pdmc_status keep_fragments(recorder *r)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_explicit_record *record = r->record;
+    const size_t n = (size_t)record->node_count, at = (size_t)(record->snapshot_count - 1) * n;
+    pdmc_free(record->fragment_list);
+    record->fragment_count = 0;
+    PDMC_NEW(record->fragment_list, r->pieces);
+    record->fragment_count = r->pieces;
+    pdmc_particles_fragments(r->particles, r->piece, r->pieces, record->fragment_list);
+    memcpy(&record->fragment[at], r->piece, n * sizeof *r->piece);
+done:
+    return status;
+}
+
+static pdmc_status take_snapshot(recorder *r)
 {
     pdmc_explicit_record *record = r->record;
     const size_t at = (size_t)record->snapshot_count++ * (size_t)record->node_count;
@@ -206,6 +259,7 @@ static void take_snapshot(recorder *r)
     record->state_count = record->snapshot_count * record->node_count;
     pdmc_particles_state(r->particles, &record->displacement[PDMC_AXES * at], &record->velocity[PDMC_AXES * at],
                          &record->damage[at]);
+    return keep_fragments(r);
 }
 
 // Snapshots are as evenly spread over the records as they can be, and the last record has one.
@@ -238,17 +292,18 @@ static pdmc_status move_through(recorder *r)
 {
     pdmc_status status = PDMC_OK;
     bool goes_on = true;
-    take_record(r);
+    PDMC_TRY(take_record(r));
     for (int i = 1; i < r->records && goes_on && r->results->status == PDMC_RUN_COMPLETE; i++) {
         const int left = r->steps - (i - 1) * r->stride;
         status = move(r, left < r->stride ? left : r->stride, &goes_on);
         if (status == PDMC_ERR_SINGULAR) status = stop_at_the_last_state(r);
-        if (status != PDMC_OK) return status;
+        if (status != PDMC_OK) goto done;
         const bool is_whole = pdmc_particles_steps(r->particles) == r->steps;
         if (!goes_on && !is_whole && r->results->status == PDMC_RUN_COMPLETE) r->results->status = PDMC_RUN_INTERRUPTED;
-        take_record(r);
-        if (is_snapshot(r, i) || r->results->status != PDMC_RUN_COMPLETE) take_snapshot(r);
+        PDMC_TRY(take_record(r));
+        if (is_snapshot(r, i) || r->results->status != PDMC_RUN_COMPLETE) PDMC_TRY(take_snapshot(r));
     }
+done:
     return status;
 }
 
@@ -273,6 +328,7 @@ done:
     pdmc_particles_destroy(r.particles);
     pdmc_free(r.front);
     pdmc_free(r.damage);
+    pdmc_free(r.piece);
     pdmc_free(r.spheres);
     return status;
 }

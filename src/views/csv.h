@@ -17,6 +17,7 @@ void pdmc_csv_column(FILE *stream, const char *name, const char *unit);
 void pdmc_csv_number(FILE *stream, double x);
 void pdmc_csv_numbers(FILE *stream, int count, const double x[]);
 
-/// Of an explicit study: a row a record, and a row a node of the last snapshot.
+/// Of an explicit study: a row a record, a row a node of the last snapshot, and a row a piece of that.
 pdmc_status pdmc_csv_records(const pdmc_results *results, FILE *stream);
 pdmc_status pdmc_csv_nodes(const pdmc_results *results, FILE *stream);
+pdmc_status pdmc_csv_fragments(const pdmc_results *results, FILE *stream);

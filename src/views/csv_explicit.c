@@ -26,7 +26,9 @@ static void put_header(const pdmc_results *r, FILE *stream)
     for (size_t i = 0; i < sizeof energies / sizeof energies[0]; i++) pdmc_csv_column(stream, energies[i], unit);
     pdmc_results_unit(r, PDMC_UNIT_MOMENTUM, sizeof unit, unit);
     put_axes(stream, "momentum", "", unit);
-    fputs(",mean_damage,broken", stream);
+    fputs(",mean_damage,broken,fragments,loose_nodes", stream);
+    pdmc_results_unit(r, PDMC_UNIT_MASS, sizeof unit, unit);
+    pdmc_csv_column(stream, "largest_fragment", unit);
     pdmc_results_unit(r, PDMC_UNIT_VELOCITY, sizeof velocity, velocity);
     for (int t = 0; t < p->tip_count; t++) {
         snprintf(column, sizeof column, "%s.advance", p->tips[t].name);
@@ -52,6 +54,9 @@ pdmc_status pdmc_csv_records(const pdmc_results *results, FILE *stream)
         pdmc_csv_numbers(stream, PDMC_AXES, &p->momentum[3 * i]);
         pdmc_csv_number(stream, p->mean_damage[i]);
         pdmc_csv_number(stream, p->broken[i]);
+        pdmc_csv_number(stream, p->fragments[i]);
+        pdmc_csv_number(stream, p->loose_nodes[i]);
+        pdmc_csv_number(stream, p->largest_fragment[i]);
         for (int t = 0; t < p->tip_count; t++) {
             pdmc_csv_number(stream, pdmc_of_tip(p, p->tip_advance, i, t));
             pdmc_csv_number(stream, pdmc_of_tip(p, p->tip_speed, i, t));
@@ -75,13 +80,35 @@ pdmc_status pdmc_csv_nodes(const pdmc_results *results, FILE *stream)
     put_axes(stream, "position", "", results->length_unit);
     put_axes(stream, "displacement", "", results->length_unit);
     put_axes(stream, "velocity", "", velocity);
-    fputs(",damage\n", stream);
+    fputs(",damage,fragment\n", stream);
     for (size_t i = 0; p->snapshot_count > 0 && i < (size_t)p->node_count; i++) {
         pdmc_csv_text(stream, p->bodies[p->node_body[i]].name);
         pdmc_csv_numbers(stream, PDMC_AXES, &p->node_position[3 * i]);
         pdmc_csv_numbers(stream, PDMC_AXES, &p->displacement[3 * (first + i)]);
         pdmc_csv_numbers(stream, PDMC_AXES, &p->velocity[3 * (first + i)]);
         pdmc_csv_number(stream, p->damage[first + i]);
+        fprintf(stream, ",%d\n", p->fragment[first + i]);
+    }
+    return PDMC_OK;
+}
+
+pdmc_status pdmc_csv_fragments(const pdmc_results *results, FILE *stream)
+{
+    const pdmc_explicit_record *p = &results->particles;
+    char unit[PDMC_UNIT_SIZE];
+    pdmc_results_unit(results, PDMC_UNIT_MASS, sizeof unit, unit);
+    fputs("fragment,nodes", stream);
+    pdmc_csv_column(stream, "mass", unit);
+    put_axes(stream, "centre", "", results->length_unit);
+    pdmc_results_unit(results, PDMC_UNIT_VELOCITY, sizeof unit, unit);
+    put_axes(stream, "velocity", "", unit);
+    fputc('\n', stream);
+    for (int i = 0; i < p->fragment_count; i++) {
+        const pdmc_fragment *f = &p->fragment_list[i];
+        fprintf(stream, "%d,%d", i, f->nodes);
+        pdmc_csv_number(stream, f->mass);
+        pdmc_csv_numbers(stream, PDMC_AXES, f->centre);
+        pdmc_csv_numbers(stream, PDMC_AXES, f->velocity);
         fputc('\n', stream);
     }
     return PDMC_OK;

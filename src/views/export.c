@@ -261,6 +261,12 @@ static pdmc_status write_nodes(const pdmc_results *r, const csv_units *units, FI
     return pdmc_csv_nodes(r, stream);
 }
 
+static pdmc_status write_fragments(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    (void)units;
+    return pdmc_csv_fragments(r, stream);
+}
+
 /// Writes through a stream of its own, since the descriptor belongs to the file.
 static pdmc_status write_stream(pdmc_whole_file *file, const pdmc_results *r, const csv_units *units, csv_writer *write)
 {
@@ -317,6 +323,7 @@ static const csv_file files[] = {
     {"motion.csv", write_motion, PDMC_DYNAMIC},
     {"records.csv", write_records, PDMC_EXPLICIT},
     {"nodes.csv", write_nodes, PDMC_EXPLICIT},
+    {"fragments.csv", write_fragments, PDMC_EXPLICIT},
 };
 
 static bool is_wanted(const pdmc_results *r, const csv_file *file)

@@ -8,8 +8,17 @@ static json_t *records(const pdmc_explicit_record *p)
         const char *name;
         const double *values;
     } columns[] = {
-        {"time", p->time},         {"kinetic", p->kinetic}, {"elastic", p->elastic},         {"contact", p->contact},
-        {"fracture", p->fracture}, {"work", p->work},       {"mean_damage", p->mean_damage}, {"broken", p->broken},
+        {"time", p->time},
+        {"kinetic", p->kinetic},
+        {"elastic", p->elastic},
+        {"contact", p->contact},
+        {"fracture", p->fracture},
+        {"work", p->work},
+        {"mean_damage", p->mean_damage},
+        {"broken", p->broken},
+        {"fragments", p->fragments},
+        {"loose_nodes", p->loose_nodes},
+        {"largest_fragment", p->largest_fragment},
     };
     json_t *object = json_object(), *momentum = json_array();
     for (size_t i = 0; i < sizeof columns / sizeof columns[0]; i++)
@@ -64,7 +73,29 @@ static json_t *last(const pdmc_explicit_record *p)
     pdmc_json_put(&object, "time", pdmc_json_number(p->time[i]));
     pdmc_json_put(&object, "mean_damage", pdmc_json_number(p->mean_damage[i]));
     pdmc_json_put(&object, "broken", pdmc_json_number(p->broken[i]));
+    pdmc_json_put(&object, "fragments", pdmc_json_number(p->fragments[i]));
+    pdmc_json_put(&object, "loose_nodes", pdmc_json_number(p->loose_nodes[i]));
+    pdmc_json_put(&object, "largest_fragment", pdmc_json_number(p->largest_fragment[i]));
     return object;
+}
+
+static json_t *fragment(const pdmc_fragment *f)
+{
+    json_t *object = json_object();
+    pdmc_json_put(&object, "nodes", json_integer(f->nodes));
+    pdmc_json_put(&object, "mass", pdmc_json_number(f->mass));
+    pdmc_json_put(&object, "centre", pdmc_json_numbers(PDMC_AXES, f->centre));
+    pdmc_json_put(&object, "velocity", pdmc_json_numbers(PDMC_AXES, f->velocity));
+    return object;
+}
+
+// Single nodes are counted, not listed: there may be as many as nodes.
+static json_t *fragments(const pdmc_explicit_record *p)
+{
+    json_t *list = json_array();
+    for (int i = 0; i < p->fragment_count; i++)
+        if (p->fragment_list[i].nodes > 1) pdmc_json_append(&list, fragment(&p->fragment_list[i]));
+    return list;
 }
 
 json_t *pdmc_json_explicit(const pdmc_explicit_record *p)
@@ -86,6 +117,7 @@ json_t *pdmc_json_explicit(const pdmc_explicit_record *p)
     for (int s = 0; s < p->sphere_count; s++) pdmc_json_append(&spheres, sphere(p, s));
     pdmc_json_put(&object, "tips", tips);
     pdmc_json_put(&object, "spheres", spheres);
+    pdmc_json_put(&object, "fragments", fragments(p));
     pdmc_json_put(&object, "records", records(p));
     pdmc_json_put(&object, "snapshot_times", pdmc_json_numbers((size_t)p->snapshot_count, p->snapshot_time));
     return object;

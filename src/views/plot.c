@@ -13,7 +13,9 @@ typedef enum {
     OF_PLATE,
     OF_EXPLICIT_ENERGIES,
     OF_EXPLICIT_TIPS,
-    OF_EXPLICIT_DAMAGE
+    OF_EXPLICIT_DAMAGE,
+    OF_EXPLICIT_FRAGMENTS,
+    OF_EXPLICIT_MASSES
 } subject;
 
 static pdmc_status draw(const pdmc_results *r, subject of, int tip, pdmc_measure measure, pdmc_figure *figure)
@@ -29,6 +31,8 @@ static pdmc_status draw(const pdmc_results *r, subject of, int tip, pdmc_measure
     case OF_EXPLICIT_ENERGIES: pdmc_draw_explicit_energies(r, figure); break;
     case OF_EXPLICIT_TIPS: pdmc_draw_explicit_tips(r, figure); break;
     case OF_EXPLICIT_DAMAGE: return pdmc_draw_explicit_damage(r, figure);
+    case OF_EXPLICIT_FRAGMENTS: return pdmc_draw_explicit_fragments(r, figure);
+    case OF_EXPLICIT_MASSES: pdmc_draw_explicit_masses(r, figure); break;
     }
     return PDMC_OK;
 }
@@ -105,6 +109,10 @@ static pdmc_status plot_explicit(const pdmc_results *r, const char *folder)
     PDMC_TRY(plot(r, folder, "energies", OF_EXPLICIT_ENERGIES, 0, r->measure));
     if (p->tip_count > 0) PDMC_TRY(plot(r, folder, "tips", OF_EXPLICIT_TIPS, 0, r->measure));
     if (p->state_count > 0) PDMC_TRY(plot(r, folder, "damage", OF_EXPLICIT_DAMAGE, 0, r->measure));
+    if (p->fragment_count > p->body_count) {
+        PDMC_TRY(plot(r, folder, "fragments", OF_EXPLICIT_FRAGMENTS, 0, r->measure));
+        PDMC_TRY(plot(r, folder, "fragment_masses", OF_EXPLICIT_MASSES, 0, r->measure));
+    }
 
 done:
     return status;

@@ -36,5 +36,11 @@ void pdmc_draw_explicit_tips(const pdmc_results *r, const pdmc_figure *figure);
 /// through the middle.
 pdmc_status pdmc_draw_explicit_damage(const pdmc_results *r, pdmc_figure *figure);
 
+/// The pieces in the same way: the largest grey, single nodes black, all others in colours that repeat.
+pdmc_status pdmc_draw_explicit_fragments(const pdmc_results *r, pdmc_figure *figure);
+
+/// How many pieces are at least as heavy as any mass.
+void pdmc_draw_explicit_masses(const pdmc_results *r, const pdmc_figure *figure);
+
 /// The plate, its cracks, and its displaced nodes and crack faces.
 void pdmc_draw_plate(const pdmc_results *r, const pdmc_figure *figure);

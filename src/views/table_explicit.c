@@ -29,6 +29,17 @@ static void print_energies(const pdmc_results *r, int last, FILE *stream)
     fprintf(stream, "  %.0f bonds are broken, the mean damage is %.6g\n", p->broken[last], p->mean_damage[last]);
 }
 
+static void print_fragments(const pdmc_results *r, int last, FILE *stream)
+{
+    const pdmc_explicit_record *p = &r->particles;
+    char n[PDMC_BRIEF_SIZE], unit[PDMC_UNIT_SIZE], text[PDMC_LINE_SIZE];
+    if (p->fragments[last] + p->loose_nodes[last] < 2.0) return;
+    pdmc_results_unit(r, PDMC_UNIT_MASS, sizeof unit, unit);
+    fprintf(stream, "  %.0f pieces of two nodes or more, the largest of %s %.20s; %.0f nodes without bonds\n",
+            p->fragments[last], pdmc_brief(n, p->largest_fragment[last]), pdmc_one_line(text, unit),
+            p->loose_nodes[last]);
+}
+
 static void print_tips(const pdmc_results *r, FILE *stream)
 {
     const pdmc_explicit_record *p = &r->particles;
@@ -70,6 +81,7 @@ void pdmc_table_explicit(const pdmc_results *r, FILE *stream)
     print_grid(r, stream);
     if (last >= 0) {
         print_energies(r, last, stream);
+        print_fragments(r, last, stream);
         print_tips(r, stream);
         print_spheres(r, last, stream);
     }

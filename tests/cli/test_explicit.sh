@@ -41,7 +41,8 @@ grep -q '^  72 nodes and [0-9]* bonds in the plane, spacing 1, horizon 3 m$' out
 expect 0 '"$pdmc" show --json impact.h5'
 grep -q '"kind":"explicit".*"status":"complete".*"name":"c.to".*"name":"sphere1"' out || fail 'JSON'
 expect 0 '"$pdmc" export impact.h5 csv'
-[ "$(ls csv)" = "nodes.csv
+[ "$(ls csv)" = "fragments.csv
+nodes.csv
 records.csv" ] || fail "files: $(ls csv)"
 [ "$(wc -l <csv/nodes.csv)" -eq 73 ] || fail 'nodes'
 expect 65 '"$pdmc" compare impact.h5 impact.h5' 'pdmc: impact.h5 is of an explicit study, which is not compared yet'

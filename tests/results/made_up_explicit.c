@@ -45,6 +45,9 @@ static void make_energies(pdmc_explicit_record *p)
     NEW(p->momentum, 3 * RECORDS);
     NEW(p->mean_damage, RECORDS);
     NEW(p->broken, RECORDS);
+    NEW(p->fragments, RECORDS);
+    NEW(p->loose_nodes, RECORDS);
+    NEW(p->largest_fragment, RECORDS);
     p->first = 2.0;
     for (int i = 0; i < RECORDS; i++) {
         const double t = p->time[i] = i * interval, all = p->first + t;
@@ -55,6 +58,9 @@ static void make_energies(pdmc_explicit_record *p)
         p->momentum[3 * i + 1] = -t;
         p->mean_damage[i] = 0.01 * i;
         p->broken[i] = 10.0 * i;
+        p->fragments[i] = 1.0 + i / 10;
+        p->loose_nodes[i] = i / 20;
+        p->largest_fragment[i] = 0.25 * (40 - i);
     }
 }
 
@@ -123,6 +129,19 @@ static void make_snapshots(pdmc_explicit_record *p)
     for (int i = 0; i < p->state_count; i++) p->damage[i] = (double)(i + 1) / p->state_count;
 }
 
+// In the last snapshot, of nodes of mass 0.25: the last node by itself, the two before it, and all others.
+static void make_fragments(pdmc_explicit_record *p)
+{
+    const int n = p->node_count, nodes[] = {n - 3, 2, 1};
+    NEW(p->fragment, p->state_count);
+    NEW(p->fragment_list, 3);
+    p->fragment_count = 3;
+    for (int k = 0; k < 3; k++) {
+        p->fragment[p->state_count - 1 - k] = k == 0 ? 2 : 1;
+        p->fragment_list[k] = (pdmc_fragment){nodes[k], 0.25 * nodes[k], {k, 1.5, 0.0}, {0.0, -k, 2.0}};
+    }
+}
+
 pdmc_results made_up_explicit(int dimension)
 {
     pdmc_results r = {.kind = PDMC_EXPLICIT,
@@ -145,5 +164,6 @@ pdmc_results made_up_explicit(int dimension)
     make_spheres(&r.particles);
     make_nodes(&r.particles);
     make_snapshots(&r.particles);
+    make_fragments(&r.particles);
     return r;
 }

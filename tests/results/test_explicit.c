@@ -25,6 +25,9 @@ static void check_columns(const pdmc_explicit_record *a, const pdmc_explicit_rec
         {a->momentum, b->momentum, 3 * a->record_count},
         {a->mean_damage, b->mean_damage, a->record_count},
         {a->broken, b->broken, a->record_count},
+        {a->fragments, b->fragments, a->record_count},
+        {a->loose_nodes, b->loose_nodes, a->record_count},
+        {a->largest_fragment, b->largest_fragment, a->record_count},
         {a->tip_advance, b->tip_advance, a->tip_count * a->record_count},
         {a->tip_speed, b->tip_speed, a->tip_count * a->record_count},
         {a->sphere_centre, b->sphere_centre, 3 * a->sphere_count * a->record_count},
@@ -52,6 +55,9 @@ static void check_record(const pdmc_explicit_record *a, const pdmc_explicit_reco
     assert_int_equal(a->node_count, b->node_count);
     assert_int_equal(a->snapshot_count, b->snapshot_count);
     assert_int_equal(a->state_count, b->state_count);
+    assert_int_equal(a->fragment_count, b->fragment_count);
+    assert_memory_equal(a->fragment, b->fragment, (size_t)a->state_count * sizeof *a->fragment);
+    assert_memory_equal(a->fragment_list, b->fragment_list, (size_t)a->fragment_count * sizeof *a->fragment_list);
     check_columns(a, b);
     assert_memory_equal(a->tips, b->tips, (size_t)a->tip_count * sizeof *a->tips);
     assert_memory_equal(a->spheres, b->spheres, (size_t)a->sphere_count * sizeof *a->spheres);
@@ -101,6 +107,14 @@ static void states_must_be_whole_snapshots(void **state)
     CHECK_STATUS(pdmc_results_write(&a, scratch_path("results.h5"), true), PDMC_ERR_ARG);
     a.particles.state_count++;
     a.particles.node_body[7] = a.particles.body_count;
+    CHECK_STATUS(pdmc_results_write(&a, scratch_path("results.h5"), true), PDMC_ERR_ARG);
+    a.particles.node_body[7] = 0;
+    a.particles.fragment[7] = a.particles.node_count;
+    CHECK_STATUS(pdmc_results_write(&a, scratch_path("results.h5"), true), PDMC_ERR_ARG);
+    a.particles.fragment[7] = a.particles.fragment_count; // may be at another time
+    CHECK_OK(pdmc_results_write(&a, scratch_path("results.h5"), true));
+    scratch_empty(scratch);
+    a.particles.fragment[a.particles.state_count - 7] = a.particles.fragment_count;
     CHECK_STATUS(pdmc_results_write(&a, scratch_path("results.h5"), true), PDMC_ERR_ARG);
     pdmc_results_clear(&a);
     assert_int_equal(scratch_empty(scratch), 0);

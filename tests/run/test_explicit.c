@@ -72,6 +72,37 @@ static void a_free_body_flies_on(void **state)
     pdmc_results_clear(&r);
 }
 
+// Nodes of mass 0.5: 16 of them right of a crack, 8 left of it, and a body of one node that flies away.
+static void pieces_are_recorded(void **state)
+{
+    (void)state;
+    const pdmc_run_options options = {.threads = 2};
+    pdmc_results r;
+    run_explicit(GRID GLASS "bodies = ( { from = [0, 0]; to = [6, 4]; velocity = [0.0, 1.0]; },\n"
+                            "           { from = [9, 0]; to = [10, 1]; velocity = [0.5, 0.0]; } );\n"
+                            "cracks = ( { from = [2, -1]; to = [2, 5]; } );\n"
+                            "time = { duration = 4; }; record = { interval = 1; snapshots = 2; };",
+                 &options, &r);
+    const pdmc_explicit_record *p = &r.particles;
+    for (int i = 0; i < p->record_count; i++) {
+        CHECK_NEAR(p->fragments[i], 2.0, 0.0);
+        CHECK_NEAR(p->loose_nodes[i], 1.0, 0.0);
+        CHECK_NEAR(p->largest_fragment[i], 8.0, 0.0);
+    }
+    const double end = p->time[p->record_count - 1];
+    assert_int_equal(p->fragment_count, 3);
+    assert_int_equal(p->fragment_list[1].nodes, 8);
+    CHECK_NEAR(p->fragment_list[0].centre[0], 4.0, 1e-12);
+    CHECK_NEAR(p->fragment_list[1].centre[1], 2.0 + end, 1e-12);
+    CHECK_NEAR(p->fragment_list[2].centre[0], 9.5 + 0.5 * end, 1e-12);
+    CHECK_NEAR(p->fragment_list[2].velocity[0], 0.5, 1e-12);
+    for (int s = 0; s < 2; s++) { // the first row: 2 nodes on the left, 4 on the right, the single one
+        static const int row[] = {1, 1, 0, 0, 0, 0, 2};
+        assert_memory_equal(&p->fragment[s * p->node_count], row, sizeof row);
+    }
+    pdmc_results_clear(&r);
+}
+
 // The plate is its own mirror image, so both tips grow alike; and what goes in is accounted for.
 static void both_tips_of_a_crack_grow_alike(void **state)
 {
@@ -111,6 +142,9 @@ static void check_same(const pdmc_explicit_record *a, const pdmc_explicit_record
     assert_same("displacement", a->displacement, b->displacement, 3 * s);
     assert_same("velocity", a->velocity, b->velocity, 3 * s);
     assert_same("damage", a->damage, b->damage, s);
+    assert_same("fragments", a->fragments, b->fragments, n);
+    assert_same("largest_fragment", a->largest_fragment, b->largest_fragment, n);
+    assert_same("fragment", a->fragment, b->fragment, (size_t)(snapshots * a->node_count) * sizeof(int));
 }
 
 static void results_do_not_depend_on_threads(void **state)
@@ -300,6 +334,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_free_body_flies_on),
+        cmocka_unit_test(pieces_are_recorded),
         cmocka_unit_test(both_tips_of_a_crack_grow_alike),
         cmocka_unit_test(results_do_not_depend_on_threads),
         cmocka_unit_test(a_stopped_run_is_a_prefix),

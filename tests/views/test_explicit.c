@@ -69,6 +69,7 @@ static void the_table_has_tips_and_spheres(void **state)
     expect_line(text, "  200 steps of 0.01 ms, 0.8 of the largest stable one; forces by portable\n");
     expect_line(text, "at 2 ms\n  first 2 + work 2 = kinetic 1 + elastic 2 + fracture 0.5 + contact 0.5 kN mm\n");
     expect_line(text, "  200 bonds are broken, the mean damage is 0.2\n");
+    expect_line(text, "  3 pieces of two nodes or more, the largest of 5 kN ms^2/mm; 1 nodes without bonds\n");
     expect_line(text, "  centre.from                  -1          0          0          -          -           -");
     expect_line(
         text, "  centre.to                     1          0          3        0.5        1.4           3          3\n");
@@ -96,6 +97,11 @@ static void the_json_has_all_records(void **state)
                0.25 * (6 * 20 + 5), 0.0);
     const json_t *records = json_object_get(object, "records");
     CHECK_NEAR(json_number_value(json_array_get(json_object_get(records, "broken"), 20)), 200.0, 0.0);
+    const json_t *pieces = json_object_get(object, "fragments");
+    assert_int_equal(json_array_size(pieces), 2); // without the single node
+    assert_int_equal(json_integer_value(json_object_get(json_array_get(pieces, 0), "nodes")), 93);
+    CHECK_NEAR(json_number_value(json_object_get(json_array_get(pieces, 1), "mass")), 0.5, 0.0);
+    CHECK_NEAR(json_number_value(json_object_get(json_object_get(object, "last"), "largest_fragment")), 5.0, 0.0);
     json_decref(all);
     free(text);
     pdmc_results_clear(&r);
@@ -116,20 +122,27 @@ static void the_csv_has_records_and_nodes(void **state)
     CHECK_OK(pdmc_view_export(&r, scratch_path("csv")));
     char *records = scratch_read(scratch_path("csv/records.csv"), &size);
     char *nodes = scratch_read(scratch_path("csv/nodes.csv"), &size);
+    char *fragments = scratch_read(scratch_path("csv/fragments.csv"), &size);
+    assert_non_null(fragments);
     assert_non_null(records);
     assert_non_null(nodes);
     expect_line(records, "record,time[ms],kinetic[kN mm],elastic[kN mm],fracture[kN mm],contact[kN mm],work[kN mm],"
-                         "momentum.x[kN ms],momentum.y[kN ms],momentum.z[kN ms],mean_damage,broken,"
+                         "momentum.x[kN ms],momentum.y[kN ms],momentum.z[kN ms],mean_damage,broken,fragments,"
+                         "loose_nodes,largest_fragment[kN ms^2/mm],"
                          "centre.from.advance[mm],centre.from.speed[mm/ms],");
     expect_line(records, "\n20,2,1,2,0.5,0.5,2,0,-2,0,");
     assert_int_equal(lines_of(records), 22);
     expect_line(nodes, "body,position.x[mm],");
     expect_line(nodes, "\nbody2,3.5,1.5,0,"); // the last node
-    expect_line(nodes, ",1\n");               // and its damage
+    expect_line(nodes, ",1,2\n");             // its damage, and its piece
     assert_int_equal(lines_of(nodes), 33);
     free(records);
+    expect_line(fragments, "fragment,nodes,mass[kN ms^2/mm],centre.x[mm],");
+    expect_line(fragments, "\n1,2,0.5,1,1.5,0,0,-1,2\n");
+    assert_int_equal(lines_of(fragments), 4);
     free(nodes);
-    assert_int_equal(scratch_empty(scratch_path("csv")), 2);
+    free(fragments);
+    assert_int_equal(scratch_empty(scratch_path("csv")), 3);
     scratch_empty(scratch);
     pdmc_results_clear(&r);
 }
@@ -137,8 +150,9 @@ static void the_csv_has_records_and_nodes(void **state)
 static void every_picture_is_drawn(void **state)
 {
     (void)state;
-    static const char *const names[] = {"energies.png", "energies.svg", "tips.png",
-                                        "tips.svg",     "damage.png",   "damage.svg"};
+    static const char *const names[] = {"energies.png",        "energies.svg",       "tips.png",      "tips.svg",
+                                        "damage.png",          "damage.svg",         "fragments.png", "fragments.svg",
+                                        "fragment_masses.png", "fragment_masses.svg"};
     if (system("gnuplot --version >/dev/null 2>&1") != 0) skip();
     for (int dimension = 2; dimension <= 3; dimension++) {
         pdmc_results r = made_up_explicit(dimension);
@@ -151,7 +165,7 @@ static void every_picture_is_drawn(void **state)
             if (!bytes || size < 1000) fail_msg("%s is missing or empty", path);
             free(bytes);
         }
-        assert_int_equal(scratch_empty(scratch_path("plots")), 6);
+        assert_int_equal(scratch_empty(scratch_path("plots")), 10);
         scratch_empty(scratch);
         pdmc_results_clear(&r);
     }
