@@ -56,14 +56,17 @@ typedef struct {
     double side[2][PDMC_AXES];        // of a rectangle: from the centre to the middles of two edges
 } pdmc_planar_crack;
 
-typedef enum { PDMC_CONDITION_VELOCITY, PDMC_CONDITION_FORCE } pdmc_condition_kind;
+typedef enum { PDMC_CONDITION_VELOCITY, PDMC_CONDITION_FORCE, PDMC_CONDITION_DISPLACEMENT } pdmc_condition_kind;
 
-/// What is prescribed in a layer of nodes: components of the velocity, or a force on a unit of volume.
+/// What is prescribed in a layer of nodes: components of the velocity or the displacement, or a force on a unit of volume. At
+/// the node X of the reference configuration it is (value + gradient X) times the history's factor.
 typedef struct {
+    char name[PDMC_NAME_SIZE];
     pdmc_condition_kind kind;
     pdmc_shape region; // in the reference configuration
     bool along[PDMC_AXES];
-    double value[PDMC_AXES]; // length / time, or force / length^3; times the history's factor
+    double value[PDMC_AXES];               // length / time, force / length^3, or length
+    double gradient[PDMC_AXES][PDMC_AXES]; // ... over length; row by row of the components
     pdmc_history history;
 } pdmc_layer_condition;
 
@@ -92,18 +95,22 @@ typedef struct {
     const pdmc_planar_crack *cracks;
     const pdmc_layer_condition *conditions;
     const pdmc_rigid_sphere *spheres;
-    double step; // of time; 0: `safety` times the stable one
+    double damping; // C of a force -C v on a unit of volume (Yu 2011, eq. 3.63)
+    double
+        bond_damping; // c_v of a bond's force c (s + c_v ds), ds the rate by which its ends part (eq. 3.64, along the bond)
+    double step;      // of time; 0: `safety` times the stable one
     double safety;
     int threads; // no result depends on them
 } pdmc_particles_options;
 
-/// Sums over all nodes. Energy: kinetic + elastic + fracture + contact = first + work, but for errors of the second order in
-/// the step.
+/// Sums over all nodes. Energy: kinetic + elastic + fracture + contact + dissipated = first + work, but for errors of the
+/// second order in the step.
 typedef struct {
     double kinetic, elastic, contact;
-    double fracture; // in the bonds at the moment they broke
-    double work;     // of conditions and of spheres that keep their velocity
-    double first;    // kinetic, at the start
+    double dissipated; // by damping
+    double fracture;   // in the bonds at the moment they broke
+    double work;       // of conditions and of spheres that keep their velocity
+    double first;      // kinetic, at the start
     double momentum[PDMC_AXES];
     double mean_damage;
     uint64_t broken; // bonds, those cut by cracks included
@@ -131,7 +138,9 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_particles_create(const pdmc_particles_o
                                                           pdmc_particles **particles);
 PDMC_API void pdmc_particles_destroy(pdmc_particles *particles);
 
-/// The largest step that is stable for small strain, sqrt(2 rho / sum_p V_p |C_p|), C = c / |xi| (eq. 46), over all nodes.
+/// The largest step that is stable for small strain, sqrt(2 rho / sum_p V_p |C_p|), C = c / |xi| (eq. 46), over all nodes. With
+/// the damping of bonds, whose velocities are those of half a step before, the root of A dt^2 + 2 B dt = 4, A = 2 sum_p V_p
+/// |C_p| / rho, B = 2 c c_v sum_p V_p / rho.
 PDMC_API double pdmc_particles_stable_step(const pdmc_particles *particles);
 PDMC_API double pdmc_particles_step_size(const pdmc_particles *particles);
 

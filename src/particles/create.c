@@ -15,6 +15,7 @@ static pdmc_status check(const pdmc_particles_options *o)
     PDMC_REQUIRE(o->dimension == 3 || o->thickness > 0.0, "thickness: %g, needs to be > 0", o->thickness);
     PDMC_REQUIRE(o->contact_distance >= 0.0 && o->contact_stiffness >= 0.0,
                  "contact: a negative distance or stiffness");
+    PDMC_REQUIRE(o->damping >= 0.0 && o->bond_damping >= 0.0, "damping: it is negative");
     PDMC_REQUIRE(o->material_count > 0 && o->body_count > 0, "bodies: there is none, or no material");
     PDMC_REQUIRE(o->threads >= 1, "threads: %d, needs to be >= 1", o->threads);
     for (int m = 0; m < o->material_count; m++)
@@ -113,20 +114,26 @@ static pdmc_status find_isolated(const pdmc_lattice *g)
     return PDMC_OK;
 }
 
-/// sqrt(2 rho / sum_p V_p c / |xi|) for a whole family, than which no other is stiffer.
-static double stable_step(const pdmc_particles *p)
+/// Of a whole family, than which no other is stiffer: sqrt(2 rho / sum_p V_p c / |xi|) without the damping of bonds.
+static double stable_step(const pdmc_particles *p, double bond_damping)
 {
     const pdmc_lattice *g = &p->lattice;
-    double sum = 0.0, least = INFINITY;
-    for (int n = 0; n < g->neighbour_count; n++) sum += g->neighbours[n].stiffness;
-    for (int m = 0; m < p->material_count; m++)
-        least = fmin(least, sqrt(2.0 * p->density[m] / (p->laws[m].micromodulus * sum)));
+    double stiffness = 0.0, weight = 0.0, least = INFINITY;
+    for (int n = 0; n < g->neighbour_count; n++) {
+        stiffness += g->neighbours[n].stiffness;
+        weight += g->neighbours[n].weight;
+    }
+    for (int m = 0; m < p->material_count; m++) {
+        const double by_density = 2.0 * p->laws[m].micromodulus / p->density[m];
+        least = fmin(least,
+                     pdmc_damping_stable_step(2.0 / sqrt(by_density * stiffness), by_density * bond_damping * weight));
+    }
     return least;
 }
 
 static pdmc_status choose_step(const pdmc_particles_options *o, pdmc_particles *p)
 {
-    p->stable_step = stable_step(p);
+    p->stable_step = stable_step(p, o->bond_damping);
     p->step = o->step > 0.0 ? o->step : o->safety * p->stable_step;
     PDMC_REQUIRE(p->step > 0.0 && p->step <= p->stable_step, "step: %g, is stable up to %g", p->step, p->stable_step);
     return PDMC_OK;
@@ -142,6 +149,7 @@ static pdmc_status create(const pdmc_particles_options *o, pdmc_particles *p)
     PDMC_TRY(make_room(o, p));
     PDMC_TRY(pdmc_lattice_cut(&p->lattice, o->crack_count, o->cracks));
     PDMC_TRY(find_isolated(&p->lattice));
+    PDMC_TRY(pdmc_damping_create(o, &p->lattice, &p->damping));
     p->repulsion = repulsion_of(o, p->lattice.volume);
     PDMC_TRY(pdmc_contact_create(o, &p->lattice, p->repulsion, &p->contact));
     for (int c = 0; c < o->condition_count; c++) {
@@ -179,6 +187,7 @@ void pdmc_particles_destroy(pdmc_particles *p)
     if (!p) return;
     pdmc_lattice_clear(&p->lattice);
     pdmc_contact_clear(&p->contact);
+    pdmc_damping_clear(&p->damping);
     for (int k = 0; k < p->layer_count; k++) pdmc_layer_clear(&p->layers[k]);
     for (int a = 0; a < PDMC_AXES; a++) {
         pdmc_free(p->position[a]);

@@ -61,28 +61,76 @@ void pdmc_layer_clear(pdmc_layer *layer)
     *layer = (pdmc_layer){0};
 }
 
-static double factor_at(const pdmc_layer *layer, double time)
+bool pdmc_layer_holds(const pdmc_layer *layer)
+{
+    return layer->condition.kind != PDMC_CONDITION_FORCE;
+}
+
+double pdmc_layer_factor(const pdmc_layer *layer, double time)
 {
     return layer->condition.history.count > 0 ? pdmc_history_at(&layer->condition.history, time) : 1.0;
 }
 
-double pdmc_layer_act(const pdmc_layer *layer, double time, double step, double volume,
-                      double *const velocity[PDMC_AXES], double *const force[PDMC_AXES])
+double pdmc_layer_value(const pdmc_layer *layer, const pdmc_lattice *g, int k, int axis, double factor)
 {
-    const pdmc_layer_condition *condition = &layer->condition;
-    const bool moves = condition->kind == PDMC_CONDITION_VELOCITY;
-    const double factor = factor_at(layer, moves ? time + 0.5 * step : time);
+    const double *gradient = layer->condition.gradient[axis];
+    double value = layer->condition.value[axis];
+    for (int a = 0; a < PDMC_AXES; a++) value += gradient[a] * g->reference[a][layer->cell[k]];
+    return value * factor;
+}
+
+void pdmc_layer_push(pdmc_layer *layer, const pdmc_lattice *g, const pdmc_layer_motion *m)
+{
+    const double factor = pdmc_layer_factor(layer, m->time);
+    for (int a = 0; a < PDMC_AXES; a++) {
+        layer->exerted[a] = 0.0;
+        for (int k = 0; layer->condition.along[a] && k < layer->count; k++) {
+            const double value = pdmc_layer_value(layer, g, k, a, factor);
+            m->force[a][layer->cell[k]] += value;
+            layer->exerted[a] += value * m->volume;
+        }
+    }
+}
+
+/// The velocity half a step after the time.
+static double velocity_after(const pdmc_layer *layer, const pdmc_lattice *g, const pdmc_layer_motion *m, int k,
+                             int axis, double factor)
+{
+    const double value = pdmc_layer_value(layer, g, k, axis, factor);
+    if (layer->condition.kind == PDMC_CONDITION_VELOCITY) return value;
+    const size_t c = layer->cell[k];
+    return (value - (m->position[axis][c] - g->reference[axis][c])) / m->step;
+}
+
+double pdmc_layer_hold(pdmc_layer *layer, const pdmc_lattice *g, const pdmc_layer_motion *m)
+{
+    const bool by_velocity = layer->condition.kind == PDMC_CONDITION_VELOCITY;
+    const double factor = pdmc_layer_factor(layer, m->time + (by_velocity ? 0.5 : 1.0) * m->step);
     double work = 0.0;
     for (int a = 0; a < PDMC_AXES; a++) {
-        if (!condition->along[a]) continue;
-        const double value = condition->value[a] * factor;
-        for (int k = 0; k < layer->count; k++) {
+        layer->exerted[a] = 0.0;
+        for (int k = 0; layer->condition.along[a] && k < layer->count; k++) {
             const size_t c = layer->cell[k];
-            const double by_step = layer->density[k] / step;
-            const double acting = moves ? by_step * (value - velocity[a][c]) - force[a][c] : value;
-            force[a][c] += acting;
-            const double after = moves ? value : velocity[a][c] + force[a][c] / by_step;
-            work += acting * 0.5 * (velocity[a][c] + after) * step * volume;
+            const double before = m->velocity[a][c], after = velocity_after(layer, g, m, k, a, factor);
+            const double acting = layer->density[k] / m->step * (after - before) - m->force[a][c];
+            m->force[a][c] += acting;
+            layer->exerted[a] += acting * m->volume;
+            work += acting * 0.5 * (before + after) * m->step * m->volume;
+        }
+    }
+    return work;
+}
+
+double pdmc_layer_work(const pdmc_layer *layer, const pdmc_lattice *g, const pdmc_layer_motion *m)
+{
+    const double factor = pdmc_layer_factor(layer, m->time);
+    double work = 0.0;
+    for (int a = 0; a < PDMC_AXES; a++) {
+        for (int k = 0; layer->condition.along[a] && k < layer->count; k++) {
+            const size_t c = layer->cell[k];
+            const double before = m->velocity[a][c], after = before + m->force[a][c] * m->step / layer->density[k];
+            const double value = pdmc_layer_value(layer, g, k, a, factor);
+            work += value * 0.5 * (before + after) * m->step * m->volume;
         }
     }
     return work;

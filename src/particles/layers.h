@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Layers of nodes in which forces or velocities are prescribed.
+/// Layers of nodes in which forces or the motion are prescribed.
 
 #include "particles/lattice.h"
 
@@ -9,9 +9,19 @@ typedef struct {
     pdmc_layer_condition condition; // with a history of its own
     double *time, *factor;          // of that
     int count;
-    size_t *cell;    // [count] nodes of the layer
-    double *density; // [count] rho
+    size_t *cell;              // [count] nodes of the layer
+    double *density;           // [count] rho
+    double exerted[PDMC_AXES]; // the whole force of the condition on its nodes when it last acted
 } pdmc_layer;
+
+/// The nodes' motion at a time t between two steps.
+typedef struct {
+    double time, step;
+    double volume;                     // of a node
+    const double *position[PDMC_AXES]; // [cells] at t
+    const double *velocity[PDMC_AXES]; // [cells] at t - step / 2
+    double *force[PDMC_AXES];          // [cells] at t, on a unit of volume
+} pdmc_layer_motion;
 
 /// @param[in]  density  [materials] rho
 /// @param[out] layer    clear with pdmc_layer_clear(), whatever is returned
@@ -20,10 +30,20 @@ PDMC_NODISCARD pdmc_status pdmc_layer_create(const pdmc_layer_condition *conditi
                                              const double density[], pdmc_layer *layer);
 void pdmc_layer_clear(pdmc_layer *layer);
 
-/// What a condition does at a time t between two steps, to the forces on the layer's nodes: adds the prescribed ones, or sets
-/// them to what makes the velocities those prescribed at t + step / 2.
-/// @param[in]  velocity  [cells] of every axis, at t - step / 2
-/// @param[out] force     [cells] of every axis, at t
-/// @return the work of the condition from t - step / 2 to t + step / 2, where no other condition acts on these components
-double pdmc_layer_act(const pdmc_layer *layer, double time, double step, double volume,
-                      double *const velocity[PDMC_AXES], double *const force[PDMC_AXES]);
+/// Whether the condition is of the motion, and not a force.
+bool pdmc_layer_holds(const pdmc_layer *layer);
+
+/// What is prescribed at the layer's k-th node along an axis, at the time of a factor of the history.
+double pdmc_layer_value(const pdmc_layer *layer, const pdmc_lattice *lattice, int k, int axis, double factor);
+double pdmc_layer_factor(const pdmc_layer *layer, double time);
+
+/// Adds the prescribed forces.
+void pdmc_layer_push(pdmc_layer *layer, const pdmc_lattice *lattice, const pdmc_layer_motion *motion);
+
+/// Sets the forces to what makes the velocities those prescribed at t + step / 2, or those that lead to the displacements
+/// prescribed at t + step.
+/// @return the work of the condition from t - step / 2 to t + step / 2, where no later condition is of the same motion
+double pdmc_layer_hold(pdmc_layer *layer, const pdmc_lattice *lattice, const pdmc_layer_motion *motion);
+
+/// The work of prescribed forces over the same time, when all forces are known.
+double pdmc_layer_work(const pdmc_layer *layer, const pdmc_lattice *lattice, const pdmc_layer_motion *motion);

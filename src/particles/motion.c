@@ -152,13 +152,66 @@ static pdmc_status report_lost(pdmc_particles *p)
         p->steps, pdmc_particles_time(p), x[0], x[1], x[2]);
 }
 
+static pdmc_motion_of_nodes motion_of(const pdmc_particles *p)
+{
+    pdmc_motion_of_nodes motion = {
+        .lattice = &p->lattice, .laws = p->laws, .density = p->density, .threads = p->threads};
+    for (int a = 0; a < PDMC_AXES; a++) {
+        motion.position[a] = p->position[a];
+        motion.velocity[a] = p->velocity[a];
+    }
+    return motion;
+}
+
+/// @param[in] duration  from the velocities to the time
+static void damp(const pdmc_particles *p, double duration)
+{
+    if (!pdmc_damping_is_on(&p->damping)) return;
+    const pdmc_motion_of_nodes motion = motion_of(p);
+    pdmc_damping_find(&p->damping, &motion, p->force, duration);
+    pdmc_damping_add(&p->damping, &motion, 1.0, p->force);
+}
+
+static void undamp(const pdmc_particles *p)
+{
+    if (!pdmc_damping_is_on(&p->damping)) return;
+    const pdmc_motion_of_nodes motion = motion_of(p);
+    pdmc_damping_add(&p->damping, &motion, -1.0, p->force);
+}
+
+static void count_damping(pdmc_particles *p)
+{
+    if (!pdmc_damping_is_on(&p->damping)) return;
+    const pdmc_motion_of_nodes motion = motion_of(p);
+    pdmc_damping_count(&p->damping, &motion, p->force, p->step);
+}
+
+/// Adds the forces of conditions and of damping, the latter by what all others make of the velocities; then what holds
+/// the nodes whose motion is prescribed.
+static void act(pdmc_particles *p)
+{
+    const pdmc_lattice *g = &p->lattice;
+    pdmc_layer_motion motion = {.time = pdmc_particles_time(p), .step = p->step, .volume = g->volume};
+    for (int a = 0; a < PDMC_AXES; a++) {
+        motion.position[a] = p->position[a];
+        motion.velocity[a] = p->velocity[a];
+        motion.force[a] = p->force[a];
+    }
+    p->last_work = 0.0;
+    for (int k = 0; k < p->layer_count; k++)
+        if (!pdmc_layer_holds(&p->layers[k])) pdmc_layer_push(&p->layers[k], g, &motion);
+    damp(p, 0.5 * p->step);
+    for (int k = 0; k < p->layer_count; k++)
+        if (pdmc_layer_holds(&p->layers[k])) p->last_work += pdmc_layer_hold(&p->layers[k], g, &motion);
+    for (int k = 0; k < p->layer_count; k++)
+        if (!pdmc_layer_holds(&p->layers[k])) p->last_work += pdmc_layer_work(&p->layers[k], g, &motion);
+    count_damping(p);
+}
+
 /// From half a step before the time to half a step after it.
 static pdmc_status kick(pdmc_particles *p)
 {
-    const double time = pdmc_particles_time(p);
-    p->last_work = 0.0;
-    for (int k = 0; k < p->layer_count; k++)
-        p->last_work += pdmc_layer_act(&p->layers[k], time, p->step, p->lattice.volume, p->velocity, p->force);
+    act(p);
     accelerate_spheres(p, p->step);
     p->work += p->last_work;
     return accelerate(p, p->step) ? PDMC_OK : report_lost(p);
@@ -168,10 +221,13 @@ pdmc_status pdmc_particles_start(pdmc_particles *p)
 {
     const pdmc_status status = find_forces(p);
     if (status != PDMC_OK) return status;
+    damp(p, 0.0);
     accelerate(p, -0.5 * p->step);
+    undamp(p);
     accelerate_spheres(p, -0.5 * p->step);
     const pdmc_status kicked = kick(p);
     p->work = 0.5 * p->last_work; // the other half was before the start
+    p->damping.dissipated = 0.5 * p->damping.last_one;
     return kicked;
 }
 

@@ -4,6 +4,7 @@
 /// Bodies in motion: what the files of this room share.
 
 #include "particles/contact.h"
+#include "particles/damping.h"
 #include "particles/forces.h"
 #include "particles/layers.h"
 
@@ -21,6 +22,7 @@ struct pdmc_particles {
     double *share;                                  // [blocks, 4] room for sums
     double repulsion;
     pdmc_contact contact;
+    pdmc_damping damping;
     int layer_count, sphere_count;
     pdmc_layer *layers;
     pdmc_rigid_sphere *spheres; // at the time, with their velocities half a step after it

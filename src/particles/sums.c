@@ -85,7 +85,9 @@ static void add_spheres(const pdmc_particles *p, pdmc_particles_sums *sums)
 
 pdmc_particles_sums pdmc_particles_sum(const pdmc_particles *p)
 {
-    pdmc_particles_sums sums = {.work = p->work - 0.5 * p->last_work, .first = p->first};
+    pdmc_particles_sums sums = {.work = p->work - 0.5 * p->last_work,
+                                .dissipated = p->damping.dissipated - 0.5 * p->damping.last_one,
+                                .first = p->first};
     pdmc_particles_find_energies(p);
     for (int b = 0; b < p->lattice.block_count; b++) {
         sums.elastic += p->elastic[b];
