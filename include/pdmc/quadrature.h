@@ -79,3 +79,41 @@ typedef struct {
 /// @param[in] below   [3] >= 0, INFINITY where there is no face
 /// @param[in] above   [3] >= 0, the same
 PDMC_API pdmc_ball_in_box pdmc_integrate_ball_in_box(double radius, const double below[3], const double above[3]);
+
+/// How a circle meets a triangle.
+typedef struct {
+    int crossings[3]; // of the circle with the edges, most first
+    int corners;      // inside the disc
+    bool is_whole;    // the disc lies in the triangle; without crossings and corners it lies outside otherwise
+} pdmc_triangle_disc_case;
+
+/// @param[in] corner  [3, 2] in any order, as for the functions below
+PDMC_API pdmc_triangle_disc_case pdmc_triangle_disc_classify(const double corner[6], const double centre[2],
+                                                             double radius);
+
+/// Area of the intersection of a triangle and a disc.
+PDMC_API double pdmc_triangle_disc_area(const double corner[6], const double centre[2], double radius);
+
+/// A rule over intersections of triangles and discs, exact to rounding for polynomials up to a degree: a triangle rule
+/// over each triangle of the polygon between the ends of the arcs, and a rule over each segment between an arc and its
+/// chord. Whole and half discs are segments too. All weights are positive.
+enum { PDMC_TRIANGLE_DISC_DEGREE = 12, PDMC_TRIANGLE_DISC_LINE = 32 };
+typedef struct {
+    int degree;
+    int capacity;                          // the most points that an intersection can need
+    double *x, *w;                         // Gauss rules on [0, 1] of 1, 2, ... points, one after the other
+    double reach[PDMC_TRIANGLE_DISC_LINE]; // degree + 2 times the longest half arc of which 1, 2, ... points suffice
+} pdmc_triangle_disc_rule;
+
+/// @param[in]  degree  0 to PDMC_TRIANGLE_DISC_DEGREE
+/// @param[out] rule    free with pdmc_triangle_disc_rule_clear(); zero on failure
+/// @return PDMC_OK, PDMC_ERR_ARG, or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_triangle_disc_rule_create(int degree, pdmc_triangle_disc_rule *rule);
+
+/// A zeroed rule is allowed.
+PDMC_API void pdmc_triangle_disc_rule_clear(pdmc_triangle_disc_rule *rule);
+
+/// The points of one intersection.
+/// @param[out] points  count and the arrays, which the caller has made for `rule->capacity` points
+PDMC_API void pdmc_triangle_disc_points(const pdmc_triangle_disc_rule *rule, const double corner[6],
+                                        const double centre[2], double radius, pdmc_area_rule *points);
