@@ -8,29 +8,13 @@
 
 static const double skin = 0.65; // of the spacing: about half of the usual distance, where the search costs least
 
-/// The shortest of the grid's steps that are longer than a length.
-static double shortest_beyond(const pdmc_lattice *g, double length)
-{
-    const int reach = (int)floor(length / g->spacing) + 1;
-    int least = reach * reach;
-    for (int z = 0; z <= (g->dimension < 3 ? 0 : reach); z++)
-        for (int y = 0; y <= reach; y++)
-            for (int x = 0; x <= reach; x++) {
-                const int square = x * x + y * y + z * z;
-                if (g->spacing * sqrt(square) > length && square < least) least = square;
-            }
-    return g->spacing * sqrt(least);
-}
-
-pdmc_status pdmc_contact_create(const pdmc_particles_options *options, const pdmc_lattice *g, double repulsion,
+pdmc_status pdmc_contact_create(const pdmc_particles_options *options, const pdmc_nodes *g, double repulsion,
                                 pdmc_contact *contact)
 {
     pdmc_status status = PDMC_OK;
-    const double reach = pdmc_lattice_reach(options);
-    *contact = (pdmc_contact){.repulsion = repulsion, .reach = reach, .skin = skin * g->spacing};
+    *contact = (pdmc_contact){.repulsion = repulsion, .skin = skin * g->spacing};
     if (options->contact_distance == 0.0) return PDMC_OK;
-    contact->apart = shortest_beyond(g, reach);
-    contact->distance = fmin(options->contact_distance * g->spacing, 0.9 * contact->apart);
+    contact->distance = fmin(options->contact_distance * g->spacing, PDMC_TOUCHING_SHARE * g->apart);
     PDMC_NEW(contact->node, g->node_count);
     PDMC_NEW(contact->partners, g->node_count);
     PDMC_NEW(contact->start, g->node_count + 1);
@@ -76,7 +60,7 @@ static double farthest(const pdmc_contact *contact, const pdmc_block *block, dou
 }
 
 /// Whether a node has moved by more than half of the skin since the pairs were found.
-static bool has_moved(const pdmc_contact *contact, const pdmc_lattice *g, double *const position[], int threads)
+static bool has_moved(const pdmc_contact *contact, const pdmc_nodes *g, double *const position[], int threads)
 {
     const double allowed = 0.25 * contact->skin * contact->skin;
     int moved = 0; // whichever thread sees it, and however often
@@ -85,11 +69,11 @@ static bool has_moved(const pdmc_contact *contact, const pdmc_lattice *g, double
     return moved != 0;
 }
 
-static void remember(pdmc_contact *contact, const pdmc_lattice *g, double *const position[], int threads)
+static void remember(pdmc_contact *contact, const pdmc_nodes *g, double *const position[], int threads)
 {
 #pragma omp parallel for num_threads(threads) schedule(static)
     for (int k = 0; k < g->node_count; k++) {
-        const size_t c = g->nodes[k];
+        const size_t c = g->cell[k];
         for (int a = 0; a < PDMC_AXES; a++) {
             contact->built[a][c] = contact->found[a][k] = position[a][c];
             contact->moved[a][k] = position[a][c] - g->reference[a][c];
@@ -113,7 +97,7 @@ static void find_range(pdmc_contact *contact, int bin)
 
 /// Whether no two nodes of these bins that are not neighbours can be near: they were `apart` at least, and have not moved
 /// towards each other by as much as that takes.
-static bool is_calm(const pdmc_contact *contact, int count, const int near[])
+static bool is_calm(const pdmc_contact *contact, double apart, int count, const int near[])
 {
     double square = 0.0;
     for (int a = 0; a < PDMC_AXES; a++) {
@@ -125,21 +109,11 @@ static bool is_calm(const pdmc_contact *contact, int count, const int near[])
         }
         square += (most - least) * (most - least);
     }
-    return sqrt(square) < contact->apart - contact->distance - contact->skin;
-}
-
-static bool are_neighbours(const pdmc_contact *contact, const pdmc_lattice *g, int i, int j)
-{
-    double square = 0.0;
-    for (int a = 0; a < PDMC_AXES; a++) {
-        const double step = g->reference[a][g->nodes[i]] - g->reference[a][g->nodes[j]];
-        square += step * step;
-    }
-    return square <= contact->reach * contact->reach;
+    return sqrt(square) < apart - contact->distance - contact->skin;
 }
 
 /// The partners of a node, in the order of the bins. @param[out] partner  NULL: they are counted only
-static int find_partners(const pdmc_contact *contact, const pdmc_lattice *g, int k, int count, const int near[],
+static int find_partners(const pdmc_contact *contact, const pdmc_nodes *g, int k, int count, const int near[],
                          int partner[])
 {
     const pdmc_bins *bins = &contact->bins;
@@ -151,7 +125,7 @@ static int find_partners(const pdmc_contact *contact, const pdmc_lattice *g, int
         for (int j = bins->start[near[b]]; j < bins->start[near[b] + 1]; j++) {
             const double dx = bins->x[0][j] - x, dy = bins->x[1][j] - y, dz = bins->x[2][j] - z;
             if (dx * dx + dy * dy + dz * dz > reach * reach || j == k) continue;
-            if (are_neighbours(contact, g, node, bins->sorted[j])) continue;
+            if (pdmc_nodes_are_near(g, g->cell[node], g->cell[bins->sorted[j]])) continue;
             if (partner) partner[found] = bins->sorted[j];
             found++;
         }
@@ -160,12 +134,12 @@ static int find_partners(const pdmc_contact *contact, const pdmc_lattice *g, int
 }
 
 /// Counts the partners of a bin's nodes, or writes them where there is room.
-static void search_bin(pdmc_contact *contact, const pdmc_lattice *g, int bin, bool write)
+static void search_bin(pdmc_contact *contact, const pdmc_nodes *g, int bin, bool write)
 {
     int near[27];
     const pdmc_bins *bins = &contact->bins;
     const int count = pdmc_bins_near(bins, bin, near);
-    if (is_calm(contact, count, near)) return;
+    if (is_calm(contact, g->apart, count, near)) return;
     for (int k = bins->start[bin]; k < bins->start[bin + 1]; k++) {
         const int node = bins->sorted[k];
         if (!write) contact->partners[node] = find_partners(contact, g, k, count, near, NULL);
@@ -174,7 +148,7 @@ static void search_bin(pdmc_contact *contact, const pdmc_lattice *g, int bin, bo
     }
 }
 
-static void search(pdmc_contact *contact, const pdmc_lattice *g, int threads, bool write)
+static void search(pdmc_contact *contact, const pdmc_nodes *g, int threads, bool write)
 {
     const pdmc_bins *bins = &contact->bins;
     const int total = bins->count[0] * bins->count[1] * bins->count[2];
@@ -200,7 +174,7 @@ static pdmc_status make_room(pdmc_contact *contact, int nodes)
     return PDMC_ERR_NOMEM;
 }
 
-pdmc_status pdmc_contact_update(pdmc_contact *contact, const pdmc_lattice *g, double *const position[PDMC_AXES],
+pdmc_status pdmc_contact_update(pdmc_contact *contact, const pdmc_nodes *g, double *const position[PDMC_AXES],
                                 int threads)
 {
     if (contact->distance == 0.0 || !has_moved(contact, g, position, threads)) return PDMC_OK;
@@ -227,32 +201,34 @@ static double depth_of(const pdmc_contact *contact, double *const position[], si
     return contact->distance - sqrt(square);
 }
 
-void pdmc_contact_add(const pdmc_contact *contact, const pdmc_lattice *g, double *const position[PDMC_AXES],
-                      int threads, double *const force[PDMC_AXES])
+void pdmc_contact_add(const pdmc_contact *contact, const pdmc_nodes *g, double *const position[PDMC_AXES], int threads,
+                      double *const force[PDMC_AXES])
 {
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 256)
     for (int k = 0; k < contact->listed; k++) {
         const int node = contact->node[k];
-        const size_t i = g->nodes[node];
+        const size_t i = g->cell[node];
         for (size_t p = contact->start[node]; p < contact->start[node + 1]; p++) {
             double apart[PDMC_AXES];
-            const double depth = depth_of(contact, position, i, g->nodes[contact->partner[p]], apart);
+            const size_t j = g->cell[contact->partner[p]];
+            const double depth = depth_of(contact, position, i, j, apart);
             if (depth <= 0.0) continue;
-            const double push = contact->repulsion * depth / (contact->distance - depth);
+            const double push = contact->repulsion * g->volume[j] * depth / (contact->distance - depth);
             for (int a = 0; a < PDMC_AXES; a++) force[a][i] -= push * apart[a];
         }
     }
 }
 
-double pdmc_contact_energy(const pdmc_contact *contact, const pdmc_lattice *g, double *const position[PDMC_AXES])
+double pdmc_contact_energy(const pdmc_contact *contact, const pdmc_nodes *g, double *const position[PDMC_AXES])
 {
     double sum = 0.0;
     for (int k = 0; k < contact->listed; k++) {
         const int node = contact->node[k];
         for (size_t p = contact->start[node]; p < contact->start[node + 1]; p++) {
             double apart[PDMC_AXES];
-            const double depth = depth_of(contact, position, g->nodes[node], g->nodes[contact->partner[p]], apart);
-            if (depth > 0.0) sum += 0.25 * contact->repulsion * depth * depth * g->volume;
+            const size_t i = g->cell[node], j = g->cell[contact->partner[p]];
+            const double depth = depth_of(contact, position, i, j, apart);
+            if (depth > 0.0) sum += 0.25 * contact->repulsion * g->volume[i] * g->volume[j] * depth * depth;
         }
     }
     return sum;

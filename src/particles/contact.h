@@ -4,16 +4,14 @@
 /// Short-range repulsion between nodes that are not neighbours in the reference configuration (those are in forces.h).
 
 #include "particles/bins.h"
-#include "particles/lattice.h"
+#include "particles/nodes.h"
 
 /// All pairs that can touch before a node has moved by half of `skin`.
 typedef struct {
-    double distance;          // below which nodes repel each other, length; 0: never
-    double skin;              // length
-    double repulsion;         // force / length^4
-    double reach;             // within which nodes are neighbours
-    double apart;             // the least distance of nodes that are not, in the reference configuration
-    double *built[PDMC_AXES]; // [cells] positions for which the pairs were found
+    double distance;                             // below which nodes repel each other, length; 0: never
+    double skin;                                 // length
+    double repulsion;                            // force / length^7
+    double *built[PDMC_AXES];                    // [cells] positions for which the pairs were found
     double *found[PDMC_AXES], *moved[PDMC_AXES]; // [nodes] the same, and displacements
     pdmc_bins bins;
     double *range; // [bins, 2, 3] least and largest displacements in a bin
@@ -26,19 +24,19 @@ typedef struct {
 } pdmc_contact;
 
 /// @param[out] contact  clear with pdmc_contact_clear(), whatever is returned
-PDMC_NODISCARD pdmc_status pdmc_contact_create(const pdmc_particles_options *options, const pdmc_lattice *lattice,
+PDMC_NODISCARD pdmc_status pdmc_contact_create(const pdmc_particles_options *options, const pdmc_nodes *nodes,
                                                double repulsion, pdmc_contact *contact);
 void pdmc_contact_clear(pdmc_contact *contact);
 
 /// Finds the pairs anew where a node has moved too far.
 /// @param[in] position  [cells] of every axis
 /// @return PDMC_OK or PDMC_ERR_NOMEM
-PDMC_NODISCARD pdmc_status pdmc_contact_update(pdmc_contact *contact, const pdmc_lattice *lattice,
+PDMC_NODISCARD pdmc_status pdmc_contact_update(pdmc_contact *contact, const pdmc_nodes *nodes,
                                                double *const position[PDMC_AXES], int threads);
 
 /// Adds the repulsion to the forces. @param[out] force  [cells] of every axis
-void pdmc_contact_add(const pdmc_contact *contact, const pdmc_lattice *lattice, double *const position[PDMC_AXES],
+void pdmc_contact_add(const pdmc_contact *contact, const pdmc_nodes *nodes, double *const position[PDMC_AXES],
                       int threads, double *const force[PDMC_AXES]);
 
 /// The energy of the repulsion.
-double pdmc_contact_energy(const pdmc_contact *contact, const pdmc_lattice *lattice, double *const position[PDMC_AXES]);
+double pdmc_contact_energy(const pdmc_contact *contact, const pdmc_nodes *nodes, double *const position[PDMC_AXES]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/base_impl.h"
+#include "particles/lattice.h"
 #include "particles/particles_impl.h"
 
 #include <math.h>
@@ -32,11 +33,11 @@ static pdmc_status check(const pdmc_particles_options *o)
 }
 
 /// The stiffness of the repulsion is that of the softest material.
-static double repulsion_of(const pdmc_particles_options *o, double volume)
+static double repulsion_of(const pdmc_particles_options *o)
 {
     double least = INFINITY;
     for (int m = 0; m < o->material_count; m++) least = fmin(least, o->materials[m].micromodulus);
-    return o->contact_stiffness * least * volume / o->horizon;
+    return o->contact_stiffness * least / o->horizon;
 }
 
 static pdmc_status copy_materials(const pdmc_particles_options *o, pdmc_particles *p)
@@ -59,12 +60,12 @@ done:
 static pdmc_status make_room(const pdmc_particles_options *o, pdmc_particles *p)
 {
     pdmc_status status = PDMC_OK;
-    const size_t cells = p->lattice.cells + PDMC_LANES, blocks = (size_t)p->lattice.block_count;
+    const size_t cells = p->nodes.cells + PDMC_LANES, blocks = (size_t)p->nodes.block_count;
     for (int a = 0; a < PDMC_AXES; a++) {
         PDMC_NEW(p->position[a], cells);
         PDMC_NEW(p->velocity[a], cells);
         PDMC_NEW(p->force[a], cells);
-        memcpy(p->position[a], p->lattice.reference[a], cells * sizeof(double));
+        memcpy(p->position[a], p->nodes.reference[a], cells * sizeof(double));
     }
     PDMC_NEW(p->limit, cells);
     PDMC_NEW(p->next_limit, cells);
@@ -82,8 +83,8 @@ done:
 
 static void start_nodes(const pdmc_particles_options *o, pdmc_particles *p)
 {
-    for (int b = 0; b < p->lattice.block_count; b++) {
-        const pdmc_block *block = &p->lattice.blocks[b];
+    for (int b = 0; b < p->nodes.block_count; b++) {
+        const pdmc_block *block = &p->nodes.blocks[b];
         const double limit = 1.0 / (1.0 + o->materials[block->material].critical_stretch);
         for (unsigned left = block->nodes; left; left &= left - 1) {
             const size_t c = block->cell + (size_t)__builtin_ctz(left);
@@ -99,11 +100,11 @@ static void start_spheres(const pdmc_particles_options *o, pdmc_particles *p)
     if (o->sphere_count > 0) memcpy(p->spheres, o->spheres, (size_t)o->sphere_count * sizeof *p->spheres);
 }
 
-static pdmc_status find_isolated(const pdmc_lattice *g)
+static pdmc_status find_isolated(const pdmc_nodes *g)
 {
     for (int b = 0; b < g->block_count; b++) {
         int whole[PDMC_LANES];
-        pdmc_lattice_whole(g, &g->blocks[b], whole);
+        pdmc_nodes_whole(g, &g->blocks[b], whole);
         for (int k = 0; k < PDMC_LANES; k++) {
             const size_t c = g->blocks[b].cell + (size_t)k;
             if ((g->blocks[b].nodes >> k & 1) && g->family[c] > 0 && whole[k] == 0)
@@ -117,12 +118,8 @@ static pdmc_status find_isolated(const pdmc_lattice *g)
 /// Of a whole family, than which no other is stiffer: sqrt(2 rho / sum_p V_p c / |xi|) without the damping of bonds.
 static double stable_step(const pdmc_particles *p, double bond_damping)
 {
-    const pdmc_lattice *g = &p->lattice;
-    double stiffness = 0.0, weight = 0.0, least = INFINITY;
-    for (int n = 0; n < g->neighbour_count; n++) {
-        stiffness += g->neighbours[n].stiffness;
-        weight += g->neighbours[n].weight;
-    }
+    const double stiffness = p->nodes.stiffest, weight = p->nodes.heaviest;
+    double least = INFINITY;
     for (int m = 0; m < p->material_count; m++) {
         const double by_density = 2.0 * p->laws[m].micromodulus / p->density[m];
         least = fmin(least,
@@ -144,17 +141,17 @@ static pdmc_status create(const pdmc_particles_options *o, pdmc_particles *p)
     pdmc_status status = PDMC_OK;
     p->threads = o->threads;
     PDMC_TRY(copy_materials(o, p));
-    PDMC_TRY(pdmc_lattice_create(o, &p->lattice));
+    PDMC_TRY(pdmc_lattice_create(o, &p->nodes));
     PDMC_TRY(choose_step(o, p));
     PDMC_TRY(make_room(o, p));
-    PDMC_TRY(pdmc_lattice_cut(&p->lattice, o->crack_count, o->cracks));
-    PDMC_TRY(find_isolated(&p->lattice));
-    PDMC_TRY(pdmc_damping_create(o, &p->lattice, &p->damping));
-    p->repulsion = repulsion_of(o, p->lattice.volume);
-    PDMC_TRY(pdmc_contact_create(o, &p->lattice, p->repulsion, &p->contact));
+    PDMC_TRY(pdmc_nodes_cut(&p->nodes, o->crack_count, o->cracks));
+    PDMC_TRY(find_isolated(&p->nodes));
+    PDMC_TRY(pdmc_damping_create(o, &p->nodes, &p->damping));
+    p->repulsion = repulsion_of(o);
+    PDMC_TRY(pdmc_contact_create(o, &p->nodes, p->repulsion, &p->contact));
     for (int c = 0; c < o->condition_count; c++) {
         p->layer_count++;
-        PDMC_TRY(pdmc_layer_create(&o->conditions[c], &p->lattice, p->density, &p->layers[c]));
+        PDMC_TRY(pdmc_layer_create(&o->conditions[c], &p->nodes, p->density, &p->layers[c]));
     }
     p->kernel = pdmc_forces_choose(&p->kernel_name);
     start_nodes(o, p);
@@ -185,7 +182,7 @@ done:
 void pdmc_particles_destroy(pdmc_particles *p)
 {
     if (!p) return;
-    pdmc_lattice_clear(&p->lattice);
+    pdmc_nodes_clear(&p->nodes);
     pdmc_contact_clear(&p->contact);
     pdmc_damping_clear(&p->damping);
     for (int k = 0; k < p->layer_count; k++) pdmc_layer_clear(&p->layers[k]);

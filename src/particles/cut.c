@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "particles/lattice.h"
+#include "particles/nodes.h"
 
 #include "base/base_impl.h"
 #include "pdmc/geometry.h"
@@ -60,7 +60,7 @@ static bool crosses(const pdmc_planar_crack *crack, const double p[], const doub
 }
 
 /// Both directions of a bond are asked in the same order of its ends, so that they agree.
-static bool is_cut(const pdmc_lattice *g, const pdmc_planar_crack *crack, size_t i, size_t j)
+static bool is_cut(const pdmc_nodes *g, const pdmc_planar_crack *crack, size_t i, size_t j)
 {
     double p[PDMC_AXES], q[PDMC_AXES];
     const size_t first = i < j ? i : j, second = i < j ? j : i;
@@ -69,23 +69,23 @@ static bool is_cut(const pdmc_lattice *g, const pdmc_planar_crack *crack, size_t
 }
 
 /// @return whether any was
-static bool cut_bonds(pdmc_lattice *g, const pdmc_block *block, const pdmc_planar_crack *crack)
+static bool cut_bonds(pdmc_nodes *g, const pdmc_block *block, const pdmc_planar_crack *crack)
 {
     bool any = false;
     for (int n = 0; n < block->listed; n++) {
         uint8_t *bonds = &g->bonds[block->bonds + (size_t)n];
-        const ptrdiff_t shift = g->neighbours[g->lists[block->list + n]].shift;
         for (unsigned left = *bonds; left; left &= left - 1) {
-            const size_t i = block->cell + (size_t)__builtin_ctz(left);
-            if (!is_cut(g, crack, i, (size_t)((ptrdiff_t)i + shift))) continue;
-            *bonds &= (uint8_t) ~(1u << __builtin_ctz(left));
+            const int lane = __builtin_ctz(left);
+            const size_t i = block->cell + (size_t)lane;
+            if (!is_cut(g, crack, i, pdmc_nodes_neighbour(g, block, n, lane))) continue;
+            *bonds &= (uint8_t) ~(1u << lane);
             any = true;
         }
     }
     return any;
 }
 
-pdmc_status pdmc_lattice_cut(pdmc_lattice *g, int count, const pdmc_planar_crack cracks[])
+pdmc_status pdmc_nodes_cut(pdmc_nodes *g, int count, const pdmc_planar_crack cracks[])
 {
     for (int c = 0; c < count; c++) {
         bool any = false;

@@ -10,7 +10,7 @@ bool pdmc_damping_is_on(const pdmc_damping *damping)
     return damping->absolute > 0.0 || damping->relative > 0.0;
 }
 
-pdmc_status pdmc_damping_create(const pdmc_particles_options *options, const pdmc_lattice *g, pdmc_damping *damping)
+pdmc_status pdmc_damping_create(const pdmc_particles_options *options, const pdmc_nodes *g, pdmc_damping *damping)
 {
     pdmc_status status = PDMC_OK;
     *damping = (pdmc_damping){.absolute = options->damping, .relative = options->bond_damping};
@@ -28,30 +28,30 @@ void pdmc_damping_clear(pdmc_damping *damping)
     *damping = (pdmc_damping){0};
 }
 
-/// Adds c c_v e (e . dv) of the bonds to one neighbour to the sums of a block's nodes, at c c_v = 1.
-static void resist_neighbour(const pdmc_motion_of_nodes *m, const pdmc_block *block, const pdmc_neighbour *n,
-                             unsigned bonds, double sum[PDMC_AXES][PDMC_LANES])
+/// Adds c c_v e (e . dv) of the whole bonds to a neighbour of the list to the sums of a block's nodes, at c c_v = 1.
+static void resist_neighbour(const pdmc_motion_of_nodes *m, const pdmc_block *block, int listed,
+                             double sum[PDMC_AXES][PDMC_LANES])
 {
-    for (unsigned left = bonds; left; left &= left - 1) {
+    const pdmc_nodes *g = m->nodes;
+    for (unsigned left = g->bonds[block->bonds + (size_t)listed]; left; left &= left - 1) {
         const int k = __builtin_ctz(left);
-        const size_t c = block->cell + (size_t)k, other = (size_t)((ptrdiff_t)c + n->shift);
+        const size_t c = block->cell + (size_t)k, other = pdmc_nodes_neighbour(g, block, listed, k);
+        const double weight = pdmc_nodes_weight(g, c, other);
         double apart[PDMC_AXES], square = 0.0, parting = 0.0;
         for (int a = 0; a < PDMC_AXES; a++) {
             apart[a] = m->position[a][other] - m->position[a][c];
             square += apart[a] * apart[a];
             parting += apart[a] * (m->velocity[a][other] - m->velocity[a][c]);
         }
-        for (int a = 0; a < PDMC_AXES; a++) sum[a][k] += n->weight * parting / square * apart[a];
+        for (int a = 0; a < PDMC_AXES; a++) sum[a][k] += weight * parting / square * apart[a];
     }
 }
 
 static void resist_bonds(const pdmc_damping *damping, const pdmc_motion_of_nodes *m, const pdmc_block *block)
 {
-    const pdmc_lattice *g = m->lattice;
     const double scale = damping->relative * m->laws[block->material].micromodulus;
     double sum[PDMC_AXES][PDMC_LANES] = {{0.0}};
-    for (int k = 0; k < block->listed; k++)
-        resist_neighbour(m, block, &g->neighbours[g->lists[block->list + k]], g->bonds[block->bonds + (size_t)k], sum);
+    for (int k = 0; k < block->listed; k++) resist_neighbour(m, block, k, sum);
     for (unsigned left = block->nodes; left; left &= left - 1) {
         const int k = __builtin_ctz(left);
         for (int a = 0; a < PDMC_AXES; a++) damping->force[a][block->cell + (size_t)k] = scale * sum[a][k];
@@ -77,21 +77,21 @@ void pdmc_damping_find(const pdmc_damping *damping, const pdmc_motion_of_nodes *
                        double duration)
 {
 #pragma omp parallel for num_threads(m->threads) schedule(static)
-    for (int b = 0; b < m->lattice->block_count; b++) {
-        resist_bonds(damping, m, &m->lattice->blocks[b]);
-        resist_nodes(damping, m, &m->lattice->blocks[b], force, duration);
+    for (int b = 0; b < m->nodes->block_count; b++) {
+        resist_bonds(damping, m, &m->nodes->blocks[b]);
+        resist_nodes(damping, m, &m->nodes->blocks[b], force, duration);
     }
 }
 
 void pdmc_damping_add(const pdmc_damping *damping, const pdmc_motion_of_nodes *m, double sign,
                       double *const force[PDMC_AXES])
 {
-    const pdmc_lattice *g = m->lattice;
+    const pdmc_nodes *g = m->nodes;
     for (int k = 0; k < g->node_count; k++)
-        for (int a = 0; a < PDMC_AXES; a++) force[a][g->nodes[k]] += sign * damping->force[a][g->nodes[k]];
+        for (int a = 0; a < PDMC_AXES; a++) force[a][g->cell[k]] += sign * damping->force[a][g->cell[k]];
 }
 
-/// The power of a block's damping forces, at the velocities in the middle of a step and a unit of volume.
+/// The power of a block's damping forces, at the velocities in the middle of a step.
 static double power_of(const pdmc_damping *damping, const pdmc_motion_of_nodes *m, const pdmc_block *block,
                        double *const force[PDMC_AXES], double step)
 {
@@ -99,7 +99,8 @@ static double power_of(const pdmc_damping *damping, const pdmc_motion_of_nodes *
     double power = 0.0;
     for (unsigned left = block->nodes; left; left &= left - 1) {
         const size_t c = block->cell + (size_t)__builtin_ctz(left);
-        for (int a = 0; a < PDMC_AXES; a++) power += damping->force[a][c] * (m->velocity[a][c] + half * force[a][c]);
+        for (int a = 0; a < PDMC_AXES; a++)
+            power += m->nodes->volume[c] * damping->force[a][c] * (m->velocity[a][c] + half * force[a][c]);
     }
     return power;
 }
@@ -107,11 +108,11 @@ static double power_of(const pdmc_damping *damping, const pdmc_motion_of_nodes *
 void pdmc_damping_count(pdmc_damping *damping, const pdmc_motion_of_nodes *m, double *const force[PDMC_AXES],
                         double step)
 {
-    const pdmc_lattice *g = m->lattice;
+    const pdmc_nodes *g = m->nodes;
 #pragma omp parallel for num_threads(m->threads) schedule(static)
     for (int b = 0; b < g->block_count; b++) damping->share[b] = power_of(damping, m, &g->blocks[b], force, step);
     damping->last_one = 0.0;
-    for (int b = 0; b < g->block_count; b++) damping->last_one -= damping->share[b] * step * g->volume;
+    for (int b = 0; b < g->block_count; b++) damping->last_one -= damping->share[b] * step;
     damping->dissipated += damping->last_one;
 }
 

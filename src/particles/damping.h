@@ -15,7 +15,7 @@ typedef struct {
 
 /// What moves.
 typedef struct {
-    const pdmc_lattice *lattice;
+    const pdmc_nodes *nodes;
     const pdmc_bond_law *laws;         // [materials]
     const double *density;             // [materials]
     const double *position[PDMC_AXES]; // [cells]
@@ -24,7 +24,7 @@ typedef struct {
 } pdmc_motion_of_nodes;
 
 /// @param[out] damping  clear with pdmc_damping_clear(), whatever is returned
-PDMC_NODISCARD pdmc_status pdmc_damping_create(const pdmc_particles_options *options, const pdmc_lattice *lattice,
+PDMC_NODISCARD pdmc_status pdmc_damping_create(const pdmc_particles_options *options, const pdmc_nodes *nodes,
                                                pdmc_damping *damping);
 void pdmc_damping_clear(pdmc_damping *damping);
 bool pdmc_damping_is_on(const pdmc_damping *damping);

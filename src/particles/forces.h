@@ -6,7 +6,7 @@
 /// A node sums its own bonds, in the order of the neighbours: nothing is scattered, so that no result depends on threads, and
 /// both directions of a bond are computed from the same numbers and agree to the bit.
 
-#include "particles/lattice.h"
+#include "particles/nodes.h"
 
 /// A material as the kernels want it.
 typedef struct {
@@ -14,9 +14,9 @@ typedef struct {
 } pdmc_bond_law;
 
 typedef struct {
-    const pdmc_lattice *lattice;
+    const pdmc_nodes *nodes;
     const pdmc_bond_law *laws;         // [materials]
-    double repulsion;                  // force / length^4: of a node, by distance and by the node's volume
+    double repulsion;                  // force / length^7: of two nodes, by distance and by both nodes' volumes
     bool energies;                     // whether elastic and contact are wanted, instead of the forces
     const double *position[PDMC_AXES]; // [cells]
     const double *limit;               // [cells] 1 / (1 + s_0)

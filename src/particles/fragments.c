@@ -30,32 +30,33 @@ static void unite(size_t parent[], size_t a, size_t b)
 }
 
 /// Every bond from that of its nodes which comes first.
-static void unite_bonds(const pdmc_lattice *g, const pdmc_block *block, size_t parent[])
+static void unite_bonds(const pdmc_nodes *g, const pdmc_block *block, size_t parent[])
 {
     for (int k = 0; k < block->listed; k++) {
-        const ptrdiff_t shift = g->neighbours[g->lists[block->list + k]].shift;
-        if (shift < 0) continue;
         for (unsigned left = g->bonds[block->bonds + (size_t)k]; left; left &= left - 1) {
-            const size_t cell = block->cell + (size_t)__builtin_ctz(left);
-            unite(parent, cell, cell + (size_t)shift);
+            const int lane = __builtin_ctz(left);
+            const size_t cell = block->cell + (size_t)lane, neighbour = pdmc_nodes_neighbour(g, block, k, lane);
+            if (cell < neighbour) unite(parent, cell, neighbour);
         }
     }
 }
 
-static void find_roots(const pdmc_lattice *g, size_t parent[])
+static void find_roots(const pdmc_nodes *g, size_t parent[])
 {
-    for (int k = 0; k < g->node_count; k++) parent[g->nodes[k]] = g->nodes[k];
+    for (int k = 0; k < g->node_count; k++) parent[g->cell[k]] = g->cell[k];
     for (int b = 0; b < g->block_count; b++) unite_bonds(g, &g->blocks[b], parent);
-    for (int k = 0; k < g->node_count; k++) parent[g->nodes[k]] = root_of(parent, g->nodes[k]);
+    for (int k = 0; k < g->node_count; k++) parent[g->cell[k]] = root_of(parent, g->cell[k]);
 }
 
 /// @param[in,out] mass  [cells] 0 on entry; of the piece, at its root
 static void find_masses(const pdmc_particles *p, const size_t parent[], double mass[])
 {
-    for (int b = 0; b < p->lattice.block_count; b++) {
-        const pdmc_block *block = &p->lattice.blocks[b];
-        for (unsigned left = block->nodes; left; left &= left - 1)
-            mass[parent[block->cell + (size_t)__builtin_ctz(left)]] += p->density[block->material] * p->lattice.volume;
+    for (int b = 0; b < p->nodes.block_count; b++) {
+        const pdmc_block *block = &p->nodes.blocks[b];
+        for (unsigned left = block->nodes; left; left &= left - 1) {
+            const size_t cell = block->cell + (size_t)__builtin_ctz(left);
+            mass[parent[cell]] += p->density[block->material] * p->nodes.volume[cell];
+        }
     }
 }
 
@@ -66,11 +67,11 @@ static int by_falling_mass(const void *a, const void *b)
     return x->root < y->root ? -1 : x->root > y->root;
 }
 
-static int list_pieces(const pdmc_lattice *g, const size_t parent[], const double mass[], piece pieces[])
+static int list_pieces(const pdmc_nodes *g, const size_t parent[], const double mass[], piece pieces[])
 {
     int count = 0;
     for (int k = 0; k < g->node_count; k++)
-        if (parent[g->nodes[k]] == g->nodes[k]) pieces[count++] = (piece){g->nodes[k], mass[g->nodes[k]]};
+        if (parent[g->cell[k]] == g->cell[k]) pieces[count++] = (piece){g->cell[k], mass[g->cell[k]]};
     qsort(pieces, (size_t)count, sizeof *pieces, by_falling_mass);
     return count;
 }
@@ -78,7 +79,7 @@ static int list_pieces(const pdmc_lattice *g, const size_t parent[], const doubl
 pdmc_status pdmc_particles_find_fragments(const pdmc_particles *p, int of_node[], int *count)
 {
     pdmc_status status = PDMC_OK;
-    const pdmc_lattice *g = &p->lattice;
+    const pdmc_nodes *g = &p->nodes;
     size_t *parent = NULL;
     double *mass = NULL;
     int *number = NULL;
@@ -91,7 +92,7 @@ pdmc_status pdmc_particles_find_fragments(const pdmc_particles *p, int of_node[]
     find_masses(p, parent, mass);
     *count = list_pieces(g, parent, mass, pieces);
     for (int i = 0; i < *count; i++) number[pieces[i].root] = i;
-    for (int k = 0; k < g->node_count; k++) of_node[k] = number[parent[g->nodes[k]]];
+    for (int k = 0; k < g->node_count; k++) of_node[k] = number[parent[g->cell[k]]];
 done:
     pdmc_free(parent);
     pdmc_free(mass);
@@ -103,8 +104,8 @@ done:
 /// Adds a node's mass and first moments to its piece.
 static void add_node(const pdmc_particles *p, const pdmc_block *block, int k, pdmc_fragment *fragment)
 {
-    const double mass = p->density[block->material] * p->lattice.volume;
     const size_t cell = block->cell + (size_t)k;
+    const double mass = p->density[block->material] * p->nodes.volume[cell];
     fragment->nodes++;
     fragment->mass += mass;
     for (int a = 0; a < PDMC_AXES; a++) {
@@ -116,11 +117,11 @@ static void add_node(const pdmc_particles *p, const pdmc_block *block, int k, pd
 void pdmc_particles_fragments(const pdmc_particles *p, const int of_node[], int count, pdmc_fragment fragments[])
 {
     memset(fragments, 0, (size_t)count * sizeof *fragments);
-    for (int b = 0; b < p->lattice.block_count; b++) {
-        const pdmc_block *block = &p->lattice.blocks[b];
+    for (int b = 0; b < p->nodes.block_count; b++) {
+        const pdmc_block *block = &p->nodes.blocks[b];
         for (unsigned left = block->nodes; left; left &= left - 1) {
             const int k = __builtin_ctz(left);
-            add_node(p, block, k, &fragments[of_node[pdmc_lattice_node(block, k)]]);
+            add_node(p, block, k, &fragments[of_node[p->nodes.node[block->cell + (size_t)k]]]);
         }
     }
     for (int i = 0; i < count; i++)

@@ -7,11 +7,11 @@
 #include <math.h>
 #include <string.h>
 
-static const double slack = 1e-9;    // of the spacing, where a region's edge or the horizon runs through nodes
+static const double slack = 1e-9;    // of the spacing, where a region's edge runs through nodes
 static const double far_away = 1e30; // in spacings: where empty cells are, so that nothing touches them
 static const double most_cells = 2e9;
 
-static size_t index_of(const pdmc_lattice *g, const int place[])
+static size_t index_of(const pdmc_nodes *g, const int place[])
 {
     return g->origin + (size_t)place[0] + (size_t)place[1] * g->pitch[1] + (size_t)place[2] * g->pitch[2];
 }
@@ -28,7 +28,7 @@ static void bounds(const pdmc_shape *shape, double low[], double high[])
 }
 
 /// The box of cells that holds all bodies.
-static pdmc_status find_box(const pdmc_particles_options *options, pdmc_lattice *g)
+static pdmc_status find_box(const pdmc_particles_options *options, pdmc_nodes *g)
 {
     double cells = 1.0;
     for (int a = 0; a < PDMC_AXES; a++) {
@@ -51,7 +51,7 @@ static pdmc_status find_box(const pdmc_particles_options *options, pdmc_lattice 
 }
 
 /// Rows begin at a multiple of PDMC_LANES. Empty cells stand between rows, layers, and at both ends, `reach` of them at least.
-static void lay_out(pdmc_lattice *g, int reach)
+static void lay_out(pdmc_nodes *g, int reach)
 {
     const size_t lanes = PDMC_LANES, empty = (size_t)reach;
     g->pitch[0] = 1;
@@ -61,25 +61,25 @@ static void lay_out(pdmc_lattice *g, int reach)
     g->cells = 2 * g->origin + g->pitch[1] * (size_t)g->count[1] + g->pitch[2] * (size_t)(g->count[2] - 1);
 }
 
-static double counted_share(pdmc_volume_rule rule, double length, double horizon, double spacing)
+/// The shortest of the grid's steps that are longer than a length.
+static double shortest_beyond(const pdmc_nodes *g, double length)
 {
-    if (rule == PDMC_VOLUME_WHOLE) return 1.0;
-    return fmin(1.0, 0.5 + (horizon - length) / spacing);
+    const int reach = (int)floor(length / g->spacing) + 1;
+    int least = reach * reach;
+    for (int z = 0; z <= (g->dimension < 3 ? 0 : reach); z++)
+        for (int y = 0; y <= reach; y++)
+            for (int x = 0; x <= reach; x++) {
+                const int square = x * x + y * y + z * z;
+                if (g->spacing * sqrt(square) > length && square < least) least = square;
+            }
+    return g->spacing * sqrt(least);
 }
 
-double pdmc_lattice_reach(const pdmc_particles_options *options)
-{
-    const double h = options->spacing;
-    return options->volume_rule == PDMC_VOLUME_PARTIAL ? options->horizon + (0.5 - slack) * h
-                                                       : options->horizon + slack * h;
-}
-
-static pdmc_status find_neighbours(const pdmc_particles_options *options, pdmc_lattice *g)
+static pdmc_status find_neighbours(double volume, pdmc_nodes *g)
 {
     pdmc_status status = PDMC_OK;
-    const double h = g->spacing, horizon = options->horizon;
-    const double longest = pdmc_lattice_reach(options);
-    const int reach = (int)floor(longest / h), layers = g->dimension < 3 ? 0 : reach;
+    const double h = g->spacing;
+    const int reach = (int)floor(g->reach / h), layers = g->dimension < 3 ? 0 : reach;
     const int width = 2 * reach + 1;
     g->touching = INFINITY;
     PDMC_NEW(g->neighbours, width * width * (2 * layers + 1));
@@ -87,11 +87,13 @@ static pdmc_status find_neighbours(const pdmc_particles_options *options, pdmc_l
         for (int y = -reach; y <= reach; y++) {
             for (int x = -reach; x <= reach; x++) {
                 const double length = h * sqrt((double)(x * x + y * y + z * z));
-                if (length == 0.0 || length > longest) continue;
-                const double weight = g->volume * counted_share(options->volume_rule, length, horizon, h);
-                const double distance = fmin(0.9 * length, options->contact_distance * h);
+                if (length == 0.0 || length > g->reach) continue;
+                const double weight = volume * fmin(1.0, g->share_start - g->share_slope * length);
+                const double distance = fmin(PDMC_TOUCHING_SHARE * length, g->contact_distance);
                 const double touching = distance > 0.0 ? 1.0 / distance : INFINITY;
                 g->touching = fmin(g->touching, length * touching);
+                g->stiffest += weight / length;
+                g->heaviest += weight;
                 g->neighbours[g->neighbour_count++] = (pdmc_neighbour){
                     .shift = x + y * (ptrdiff_t)g->pitch[1] + z * (ptrdiff_t)g->pitch[2],
                     .step = {x, y, z},
@@ -120,7 +122,7 @@ static pdmc_status body_at(const pdmc_particles_options *options, const double x
     return PDMC_OK;
 }
 
-static pdmc_status place_nodes(const pdmc_particles_options *options, pdmc_lattice *g)
+static pdmc_status place_nodes(const pdmc_particles_options *options, double volume, pdmc_nodes *g)
 {
     int16_t *body = g->body;
     for (size_t c = 0; c < g->cells; c++) {
@@ -138,6 +140,7 @@ static pdmc_status place_nodes(const pdmc_particles_options *options, pdmc_latti
                 if (status != PDMC_OK) return status;
                 if (body[c] < 0) continue;
                 g->node_count++;
+                g->volume[c] = volume;
                 for (int a = 0; a < PDMC_AXES; a++) g->reference[a][c] = x[a];
             }
         }
@@ -145,11 +148,14 @@ static pdmc_status place_nodes(const pdmc_particles_options *options, pdmc_latti
     return PDMC_OK;
 }
 
-static void list_nodes(pdmc_lattice *g)
+static void list_nodes(pdmc_nodes *g)
 {
     size_t node = 0;
-    for (size_t c = 0; c < g->cells; c++)
-        if (g->body[c] >= 0) g->nodes[node++] = c;
+    for (size_t c = 0; c < g->cells; c++) {
+        if (g->body[c] < 0) continue;
+        g->node[c] = (int)node;
+        g->cell[node++] = c;
+    }
 }
 
 static uint8_t lanes_of_body(const int16_t body[], int wanted)
@@ -160,7 +166,7 @@ static uint8_t lanes_of_body(const int16_t body[], int wanted)
 }
 
 /// The blocks of the cells from c on: one a body. Counts them where there is no room yet.
-static void add_blocks(const pdmc_particles_options *options, pdmc_lattice *g, size_t c, int *nodes_before)
+static void add_blocks(const pdmc_particles_options *options, pdmc_nodes *g, size_t c)
 {
     const int16_t *body = g->body;
     const uint8_t all = (uint8_t)~lanes_of_body(&body[c], -1);
@@ -169,26 +175,19 @@ static void add_blocks(const pdmc_particles_options *options, pdmc_lattice *g, s
         const int b = body[c + (size_t)__builtin_ctz(left)];
         const uint8_t nodes = lanes_of_body(&body[c], b);
         if (g->blocks)
-            g->blocks[g->block_count] = (pdmc_block){.cell = c,
-                                                     .body = b,
-                                                     .material = options->bodies[b].material,
-                                                     .first_node = *nodes_before,
-                                                     .nodes = nodes,
-                                                     .occupied = all};
+            g->blocks[g->block_count] = (pdmc_block){
+                .cell = c, .body = b, .material = options->bodies[b].material, .nodes = nodes, .occupied = all};
         g->block_count++;
         left &= (uint8_t)~nodes;
     }
-    *nodes_before += __builtin_popcount(all);
 }
 
-static void find_blocks(const pdmc_particles_options *options, pdmc_lattice *g)
+static void find_blocks(const pdmc_particles_options *options, pdmc_nodes *g)
 {
-    int nodes_before = 0;
     g->block_count = 0;
     for (int z = 0; z < g->count[2]; z++)
         for (int y = 0; y < g->count[1]; y++)
-            for (int x = 0; x < g->count[0]; x += PDMC_LANES)
-                add_blocks(options, g, index_of(g, (int[]){x, y, z}), &nodes_before);
+            for (int x = 0; x < g->count[0]; x += PDMC_LANES) add_blocks(options, g, index_of(g, (int[]){x, y, z}));
 }
 
 /// The whole bonds of a block to one of the neighbours.
@@ -204,7 +203,7 @@ static bool meets(const pdmc_block *block, const int16_t body[], ptrdiff_t shift
 }
 
 /// The list of neighbours that a block meets. Most blocks meet the same as one not long before them.
-static void find_list(pdmc_lattice *g, pdmc_block *block, int previous[], int kept, int *next)
+static void find_list(pdmc_nodes *g, pdmc_block *block, int previous[], int kept, int *next)
 {
     uint16_t *list = &g->lists[g->list_size];
     int listed = 0;
@@ -225,7 +224,7 @@ static void find_list(pdmc_lattice *g, pdmc_block *block, int previous[], int ke
 }
 
 /// The lists, and room for the bonds.
-static pdmc_status find_lists(pdmc_lattice *g)
+static pdmc_status find_lists(pdmc_nodes *g)
 {
     enum { KEPT = 64 };
     int previous[2 * KEPT] = {0}, next = 0;
@@ -242,34 +241,37 @@ done:
     return status;
 }
 
-static void join(pdmc_lattice *g)
+static void join(pdmc_nodes *g)
 {
     for (int b = 0; b < g->block_count; b++) {
         const pdmc_block *block = &g->blocks[b];
         int whole[PDMC_LANES];
         for (int n = 0; n < block->listed; n++)
             g->bonds[block->bonds + (size_t)n] = bonded(block, g->body, g->neighbours[g->lists[block->list + n]].shift);
-        pdmc_lattice_whole(g, block, whole);
+        pdmc_nodes_whole(g, block, whole);
         for (int k = 0; k < PDMC_LANES; k++)
             if (block->nodes >> k & 1) g->family[block->cell + (size_t)k] = (uint16_t)whole[k];
     }
 }
 
-pdmc_status pdmc_lattice_create(const pdmc_particles_options *options, pdmc_lattice *g)
+pdmc_status pdmc_lattice_create(const pdmc_particles_options *options, pdmc_nodes *g)
 {
     pdmc_status status = PDMC_OK;
-    *g = (pdmc_lattice){.dimension = options->dimension, .spacing = options->spacing};
+    *g = pdmc_nodes_none(options);
     const double h = options->spacing;
-    g->volume = h * h * (g->dimension < 3 ? options->thickness : h);
+    const double volume = h * h * (g->dimension < 3 ? options->thickness : h);
+    g->apart = shortest_beyond(g, g->reach);
     memcpy(g->offset, options->offset, sizeof g->offset);
     PDMC_TRY(find_box(options, g));
-    lay_out(g, (int)floor(pdmc_lattice_reach(options) / h));
+    lay_out(g, (int)floor(g->reach / h));
     PDMC_NEW(g->body, g->cells + PDMC_LANES);
+    PDMC_NEW(g->volume, g->cells + PDMC_LANES);
     for (int a = 0; a < PDMC_AXES; a++) PDMC_NEW(g->reference[a], g->cells + PDMC_LANES);
-    PDMC_TRY(find_neighbours(options, g));
-    PDMC_TRY(place_nodes(options, g));
+    PDMC_TRY(find_neighbours(volume, g));
+    PDMC_TRY(place_nodes(options, volume, g));
     if (g->node_count == 0) PDMC_FAIL(PDMC_ERR_ARG, "no node: the bodies hold no point of the grid");
-    PDMC_NEW(g->nodes, g->node_count);
+    PDMC_NEW(g->cell, g->node_count);
+    PDMC_NEW(g->node, g->cells);
     list_nodes(g);
     find_blocks(options, g);
     PDMC_NEW(g->blocks, g->block_count);
@@ -281,29 +283,4 @@ pdmc_status pdmc_lattice_create(const pdmc_particles_options *options, pdmc_latt
 
 done:
     return status;
-}
-
-void pdmc_lattice_clear(pdmc_lattice *g)
-{
-    for (int a = 0; a < PDMC_AXES; a++) pdmc_free(g->reference[a]);
-    pdmc_free(g->neighbours);
-    pdmc_free(g->body);
-    pdmc_free(g->nodes);
-    pdmc_free(g->lists);
-    pdmc_free(g->blocks);
-    pdmc_free(g->bonds);
-    pdmc_free(g->family);
-    *g = (pdmc_lattice){0};
-}
-
-void pdmc_lattice_whole(const pdmc_lattice *g, const pdmc_block *block, int whole[])
-{
-    memset(whole, 0, PDMC_LANES * sizeof *whole);
-    for (int n = 0; n < block->listed; n++)
-        for (int k = 0; k < PDMC_LANES; k++) whole[k] += g->bonds[block->bonds + (size_t)n] >> k & 1;
-}
-
-int pdmc_lattice_node(const pdmc_block *block, int k)
-{
-    return block->first_node + __builtin_popcount(block->occupied & ((1u << k) - 1u));
 }

@@ -7,7 +7,7 @@
 
 static const double slack = 1e-9; // of the spacing
 
-static bool holds(const pdmc_layer_condition *condition, const pdmc_lattice *g, size_t cell)
+static bool holds(const pdmc_layer_condition *condition, const pdmc_nodes *g, size_t cell)
 {
     double x[PDMC_AXES];
     for (int a = 0; a < PDMC_AXES; a++) x[a] = g->reference[a][cell];
@@ -15,7 +15,7 @@ static bool holds(const pdmc_layer_condition *condition, const pdmc_lattice *g, 
 }
 
 /// Of all blocks' nodes, those in the layer. Counts them where there is no room yet.
-static void find_nodes(const pdmc_lattice *g, const double density[], pdmc_layer *layer)
+static void find_nodes(const pdmc_nodes *g, const double density[], pdmc_layer *layer)
 {
     layer->count = 0;
     for (int b = 0; b < g->block_count; b++) {
@@ -30,7 +30,7 @@ static void find_nodes(const pdmc_lattice *g, const double density[], pdmc_layer
     }
 }
 
-pdmc_status pdmc_layer_create(const pdmc_layer_condition *condition, const pdmc_lattice *g, const double density[],
+pdmc_status pdmc_layer_create(const pdmc_layer_condition *condition, const pdmc_nodes *g, const double density[],
                               pdmc_layer *layer)
 {
     pdmc_status status = PDMC_OK;
@@ -71,7 +71,7 @@ double pdmc_layer_factor(const pdmc_layer *layer, double time)
     return layer->condition.history.count > 0 ? pdmc_history_at(&layer->condition.history, time) : 1.0;
 }
 
-double pdmc_layer_value(const pdmc_layer *layer, const pdmc_lattice *g, int k, int axis, double factor)
+double pdmc_layer_value(const pdmc_layer *layer, const pdmc_nodes *g, int k, int axis, double factor)
 {
     const double *gradient = layer->condition.gradient[axis];
     double value = layer->condition.value[axis];
@@ -79,7 +79,7 @@ double pdmc_layer_value(const pdmc_layer *layer, const pdmc_lattice *g, int k, i
     return value * factor;
 }
 
-void pdmc_layer_push(pdmc_layer *layer, const pdmc_lattice *g, const pdmc_layer_motion *m)
+void pdmc_layer_push(pdmc_layer *layer, const pdmc_nodes *g, const pdmc_layer_motion *m)
 {
     const double factor = pdmc_layer_factor(layer, m->time);
     for (int a = 0; a < PDMC_AXES; a++) {
@@ -87,14 +87,14 @@ void pdmc_layer_push(pdmc_layer *layer, const pdmc_lattice *g, const pdmc_layer_
         for (int k = 0; layer->condition.along[a] && k < layer->count; k++) {
             const double value = pdmc_layer_value(layer, g, k, a, factor);
             m->force[a][layer->cell[k]] += value;
-            layer->exerted[a] += value * m->volume;
+            layer->exerted[a] += value * g->volume[layer->cell[k]];
         }
     }
 }
 
 /// The velocity half a step after the time.
-static double velocity_after(const pdmc_layer *layer, const pdmc_lattice *g, const pdmc_layer_motion *m, int k,
-                             int axis, double factor)
+static double velocity_after(const pdmc_layer *layer, const pdmc_nodes *g, const pdmc_layer_motion *m, int k, int axis,
+                             double factor)
 {
     const double value = pdmc_layer_value(layer, g, k, axis, factor);
     if (layer->condition.kind == PDMC_CONDITION_VELOCITY) return value;
@@ -102,7 +102,7 @@ static double velocity_after(const pdmc_layer *layer, const pdmc_lattice *g, con
     return (value - (m->position[axis][c] - g->reference[axis][c])) / m->step;
 }
 
-double pdmc_layer_hold(pdmc_layer *layer, const pdmc_lattice *g, const pdmc_layer_motion *m)
+double pdmc_layer_hold(pdmc_layer *layer, const pdmc_nodes *g, const pdmc_layer_motion *m)
 {
     const bool by_velocity = layer->condition.kind == PDMC_CONDITION_VELOCITY;
     const double factor = pdmc_layer_factor(layer, m->time + (by_velocity ? 0.5 : 1.0) * m->step);
@@ -114,14 +114,14 @@ double pdmc_layer_hold(pdmc_layer *layer, const pdmc_lattice *g, const pdmc_laye
             const double before = m->velocity[a][c], after = velocity_after(layer, g, m, k, a, factor);
             const double acting = layer->density[k] / m->step * (after - before) - m->force[a][c];
             m->force[a][c] += acting;
-            layer->exerted[a] += acting * m->volume;
-            work += acting * 0.5 * (before + after) * m->step * m->volume;
+            layer->exerted[a] += acting * g->volume[c];
+            work += acting * 0.5 * (before + after) * m->step * g->volume[c];
         }
     }
     return work;
 }
 
-double pdmc_layer_work(const pdmc_layer *layer, const pdmc_lattice *g, const pdmc_layer_motion *m)
+double pdmc_layer_work(const pdmc_layer *layer, const pdmc_nodes *g, const pdmc_layer_motion *m)
 {
     const double factor = pdmc_layer_factor(layer, m->time);
     double work = 0.0;
@@ -130,7 +130,7 @@ double pdmc_layer_work(const pdmc_layer *layer, const pdmc_lattice *g, const pdm
             const size_t c = layer->cell[k];
             const double before = m->velocity[a][c], after = before + m->force[a][c] * m->step / layer->density[k];
             const double value = pdmc_layer_value(layer, g, k, a, factor);
-            work += value * 0.5 * (before + after) * m->step * m->volume;
+            work += value * 0.5 * (before + after) * m->step * g->volume[c];
         }
     }
     return work;

@@ -3,7 +3,7 @@
 
 /// Layers of nodes in which forces or the motion are prescribed.
 
-#include "particles/lattice.h"
+#include "particles/nodes.h"
 
 typedef struct {
     pdmc_layer_condition condition; // with a history of its own
@@ -17,7 +17,6 @@ typedef struct {
 /// The nodes' motion at a time t between two steps.
 typedef struct {
     double time, step;
-    double volume;                     // of a node
     const double *position[PDMC_AXES]; // [cells] at t
     const double *velocity[PDMC_AXES]; // [cells] at t - step / 2
     double *force[PDMC_AXES];          // [cells] at t, on a unit of volume
@@ -26,7 +25,7 @@ typedef struct {
 /// @param[in]  density  [materials] rho
 /// @param[out] layer    clear with pdmc_layer_clear(), whatever is returned
 /// @return PDMC_OK; PDMC_ERR_ARG where the layer holds no node; PDMC_ERR_NOMEM
-PDMC_NODISCARD pdmc_status pdmc_layer_create(const pdmc_layer_condition *condition, const pdmc_lattice *lattice,
+PDMC_NODISCARD pdmc_status pdmc_layer_create(const pdmc_layer_condition *condition, const pdmc_nodes *nodes,
                                              const double density[], pdmc_layer *layer);
 void pdmc_layer_clear(pdmc_layer *layer);
 
@@ -34,16 +33,16 @@ void pdmc_layer_clear(pdmc_layer *layer);
 bool pdmc_layer_holds(const pdmc_layer *layer);
 
 /// What is prescribed at the layer's k-th node along an axis, at the time of a factor of the history.
-double pdmc_layer_value(const pdmc_layer *layer, const pdmc_lattice *lattice, int k, int axis, double factor);
+double pdmc_layer_value(const pdmc_layer *layer, const pdmc_nodes *nodes, int k, int axis, double factor);
 double pdmc_layer_factor(const pdmc_layer *layer, double time);
 
 /// Adds the prescribed forces.
-void pdmc_layer_push(pdmc_layer *layer, const pdmc_lattice *lattice, const pdmc_layer_motion *motion);
+void pdmc_layer_push(pdmc_layer *layer, const pdmc_nodes *nodes, const pdmc_layer_motion *motion);
 
 /// Sets the forces to what makes the velocities those prescribed at t + step / 2, or those that lead to the displacements
 /// prescribed at t + step.
 /// @return the work of the condition from t - step / 2 to t + step / 2, where no later condition is of the same motion
-double pdmc_layer_hold(pdmc_layer *layer, const pdmc_lattice *lattice, const pdmc_layer_motion *motion);
+double pdmc_layer_hold(pdmc_layer *layer, const pdmc_nodes *nodes, const pdmc_layer_motion *motion);
 
 /// The work of prescribed forces over the same time, when all forces are known.
-double pdmc_layer_work(const pdmc_layer *layer, const pdmc_lattice *lattice, const pdmc_layer_motion *motion);
+double pdmc_layer_work(const pdmc_layer *layer, const pdmc_nodes *nodes, const pdmc_layer_motion *motion);

@@ -9,17 +9,17 @@
 static void run_kernel(const pdmc_particles *p, const pdmc_forces *forces)
 {
     enum { CHUNK = 64 }; // blocks: small enough for the threads to end together
-    const int chunks = (p->lattice.block_count + CHUNK - 1) / CHUNK;
+    const int chunks = (p->nodes.block_count + CHUNK - 1) / CHUNK;
 #pragma omp parallel for num_threads(p->threads) schedule(dynamic)
     for (int c = 0; c < chunks; c++) {
-        const int last = CHUNK * (c + 1) < p->lattice.block_count ? CHUNK * (c + 1) : p->lattice.block_count;
+        const int last = CHUNK * (c + 1) < p->nodes.block_count ? CHUNK * (c + 1) : p->nodes.block_count;
         p->kernel(forces, CHUNK * c, last);
     }
 }
 
 static pdmc_forces forces_of(const pdmc_particles *p)
 {
-    pdmc_forces forces = {.lattice = &p->lattice,
+    pdmc_forces forces = {.nodes = &p->nodes,
                           .laws = p->laws,
                           .repulsion = p->repulsion,
                           .limit = p->limit,
@@ -45,7 +45,7 @@ void pdmc_particles_find_energies(const pdmc_particles *p)
 static void meet_spheres(pdmc_particles *p)
 {
     for (int s = 0; s < p->sphere_count; s++)
-        p->sphere_energy[s] = pdmc_sphere_push(&p->spheres[s], &p->lattice, p->position, p->threads, p->force, p->share,
+        p->sphere_energy[s] = pdmc_sphere_push(&p->spheres[s], &p->nodes, p->position, p->threads, p->force, p->share,
                                                &p->sphere_force[PDMC_AXES * s]);
 }
 
@@ -57,9 +57,9 @@ static pdmc_status find_forces(pdmc_particles *p)
     double *limit = p->limit;
     p->limit = p->next_limit;
     p->next_limit = limit;
-    pdmc_status status = pdmc_contact_update(&p->contact, &p->lattice, p->position, p->threads);
+    pdmc_status status = pdmc_contact_update(&p->contact, &p->nodes, p->position, p->threads);
     if (status != PDMC_OK) return status;
-    pdmc_contact_add(&p->contact, &p->lattice, p->position, p->threads, p->force);
+    pdmc_contact_add(&p->contact, &p->nodes, p->position, p->threads, p->force);
     meet_spheres(p);
     return PDMC_OK;
 }
@@ -74,7 +74,7 @@ static void add_to(const pdmc_block *block, double factor, const double x[], dou
 
 static void move(pdmc_particles *p, double step)
 {
-    const pdmc_lattice *g = &p->lattice;
+    const pdmc_nodes *g = &p->nodes;
 #pragma omp parallel for num_threads(p->threads) schedule(static)
     for (int b = 0; b < g->block_count; b++)
         for (int a = 0; a < PDMC_AXES; a++)
@@ -86,13 +86,13 @@ static void move(pdmc_particles *p, double step)
 /// No node moves by more than the horizon in a step, unless the step is far too large. NaN does not either.
 static bool is_lost(const pdmc_particles *p, double velocity)
 {
-    return !(fabs(velocity) * p->step <= p->contact.reach);
+    return !(fabs(velocity) * p->step <= p->nodes.reach);
 }
 
 /// @return whether no node is lost
 static bool accelerate(pdmc_particles *p, double step)
 {
-    const pdmc_lattice *g = &p->lattice;
+    const pdmc_nodes *g = &p->nodes;
     int lost = 0; // whichever thread sees it, and however often
 #pragma omp parallel for num_threads(p->threads) schedule(static) reduction(| : lost)
     for (int b = 0; b < g->block_count; b++) {
@@ -131,7 +131,7 @@ static void restore(pdmc_particles *p, const pdmc_block *block, int k)
 
 static pdmc_status report_lost(pdmc_particles *p)
 {
-    const pdmc_lattice *g = &p->lattice;
+    const pdmc_nodes *g = &p->nodes;
     const double *first = NULL;
     double x[PDMC_AXES] = {0.0};
     for (int b = 0; b < g->block_count; b++) {
@@ -154,8 +154,7 @@ static pdmc_status report_lost(pdmc_particles *p)
 
 static pdmc_motion_of_nodes motion_of(const pdmc_particles *p)
 {
-    pdmc_motion_of_nodes motion = {
-        .lattice = &p->lattice, .laws = p->laws, .density = p->density, .threads = p->threads};
+    pdmc_motion_of_nodes motion = {.nodes = &p->nodes, .laws = p->laws, .density = p->density, .threads = p->threads};
     for (int a = 0; a < PDMC_AXES; a++) {
         motion.position[a] = p->position[a];
         motion.velocity[a] = p->velocity[a];
@@ -190,8 +189,8 @@ static void count_damping(pdmc_particles *p)
 /// the nodes whose motion is prescribed.
 static void act(pdmc_particles *p)
 {
-    const pdmc_lattice *g = &p->lattice;
-    pdmc_layer_motion motion = {.time = pdmc_particles_time(p), .step = p->step, .volume = g->volume};
+    const pdmc_nodes *g = &p->nodes;
+    pdmc_layer_motion motion = {.time = pdmc_particles_time(p), .step = p->step};
     for (int a = 0; a < PDMC_AXES; a++) {
         motion.position[a] = p->position[a];
         motion.velocity[a] = p->velocity[a];

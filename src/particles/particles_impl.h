@@ -9,7 +9,7 @@
 #include "particles/layers.h"
 
 struct pdmc_particles {
-    pdmc_lattice lattice;
+    pdmc_nodes nodes;
     int threads, material_count;
     double *density;                   // [materials]
     pdmc_bond_law *laws, *unbreakable; // [materials]

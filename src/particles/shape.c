@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "particles/lattice.h"
+#include "particles/nodes.h"
 
 #include <math.h>
 

@@ -6,7 +6,7 @@
 
 enum { SHARE = PDMC_AXES + 1 }; // of a block: the force on the sphere, and the energy
 
-static void push_node(const pdmc_rigid_sphere *sphere, double volume, double *const position[], size_t c,
+static void push_node(const pdmc_rigid_sphere *sphere, const double volume[], double *const position[], size_t c,
                       double *const force[], double share[])
 {
     double out[PDMC_AXES], square = 0.0;
@@ -19,9 +19,9 @@ static void push_node(const pdmc_rigid_sphere *sphere, double volume, double *co
     const double push = sphere->stiffness * depth * depth / distance;
     for (int a = 0; a < PDMC_AXES; a++) {
         force[a][c] += push * out[a];
-        share[a] -= push * out[a] * volume;
+        share[a] -= push * out[a] * volume[c];
     }
-    share[PDMC_AXES] += sphere->stiffness * depth * depth * depth / 3.0 * volume;
+    share[PDMC_AXES] += sphere->stiffness * depth * depth * depth / 3.0 * volume[c];
 }
 
 /// Which of a block's cells are inside the sphere, so that most blocks are done with at once.
@@ -37,7 +37,7 @@ static unsigned inside(const pdmc_rigid_sphere *sphere, double *const position[]
     return bits & block->nodes;
 }
 
-double pdmc_sphere_push(const pdmc_rigid_sphere *sphere, const pdmc_lattice *g, double *const position[PDMC_AXES],
+double pdmc_sphere_push(const pdmc_rigid_sphere *sphere, const pdmc_nodes *g, double *const position[PDMC_AXES],
                         int threads, double *const force[PDMC_AXES], double reaction[], double total[PDMC_AXES])
 {
     double energy = 0.0;

@@ -17,11 +17,11 @@ const char *pdmc_particles_kernel(const pdmc_particles *p)
 }
 int pdmc_particles_count(const pdmc_particles *p)
 {
-    return p->lattice.node_count;
+    return p->nodes.node_count;
 }
 size_t pdmc_particles_bond_bytes(const pdmc_particles *p)
 {
-    return p->lattice.bond_bytes;
+    return p->nodes.bond_bytes;
 }
 double pdmc_particles_time(const pdmc_particles *p)
 {
@@ -35,7 +35,7 @@ int pdmc_particles_steps(const pdmc_particles *p)
 uint64_t pdmc_particles_bonds(const pdmc_particles *p)
 {
     uint64_t directions = 0;
-    for (int k = 0; k < p->lattice.node_count; k++) directions += p->lattice.family[p->lattice.nodes[k]];
+    for (int k = 0; k < p->nodes.node_count; k++) directions += p->nodes.family[p->nodes.cell[k]];
     return directions / 2;
 }
 
@@ -46,9 +46,9 @@ double pdmc_particles_velocity_at(const pdmc_particles *p, const pdmc_block *blo
 
 static void add_motion(const pdmc_particles *p, const pdmc_block *block, pdmc_particles_sums *sums)
 {
-    const double mass = p->density[block->material] * p->lattice.volume;
     for (unsigned left = block->nodes; left; left &= left - 1) {
         const size_t c = block->cell + (size_t)__builtin_ctz(left);
+        const double mass = p->density[block->material] * p->nodes.volume[c];
         for (int a = 0; a < PDMC_AXES; a++) {
             const double v = pdmc_particles_velocity_at(p, block, a, c);
             sums->kinetic += 0.5 * mass * v * v;
@@ -60,10 +60,10 @@ static void add_motion(const pdmc_particles *p, const pdmc_block *block, pdmc_pa
 static void add_damage(const pdmc_particles *p, const pdmc_block *block, pdmc_particles_sums *sums)
 {
     int whole[PDMC_LANES];
-    pdmc_lattice_whole(&p->lattice, block, whole);
+    pdmc_nodes_whole(&p->nodes, block, whole);
     for (unsigned left = block->nodes; left; left &= left - 1) {
         const int k = __builtin_ctz(left);
-        const int family = p->lattice.family[block->cell + (size_t)k];
+        const int family = p->nodes.family[block->cell + (size_t)k];
         sums->broken += (uint64_t)(family - whole[k]);
         if (family > 0) sums->mean_damage += 1.0 - (double)whole[k] / family;
     }
@@ -89,15 +89,15 @@ pdmc_particles_sums pdmc_particles_sum(const pdmc_particles *p)
                                 .dissipated = p->damping.dissipated - 0.5 * p->damping.last_one,
                                 .first = p->first};
     pdmc_particles_find_energies(p);
-    for (int b = 0; b < p->lattice.block_count; b++) {
+    for (int b = 0; b < p->nodes.block_count; b++) {
         sums.elastic += p->elastic[b];
         sums.contact += p->contact_energy[b];
         sums.fracture += p->fracture[b];
-        add_motion(p, &p->lattice.blocks[b], &sums);
-        add_damage(p, &p->lattice.blocks[b], &sums);
+        add_motion(p, &p->nodes.blocks[b], &sums);
+        add_damage(p, &p->nodes.blocks[b], &sums);
     }
-    sums.contact += pdmc_contact_energy(&p->contact, &p->lattice, p->position);
-    sums.mean_damage /= p->lattice.node_count;
+    sums.contact += pdmc_contact_energy(&p->contact, &p->nodes, p->position);
+    sums.mean_damage /= p->nodes.node_count;
     sums.broken /= 2;
     add_spheres(p, &sums);
     return sums;
@@ -105,22 +105,23 @@ pdmc_particles_sums pdmc_particles_sum(const pdmc_particles *p)
 
 void pdmc_particles_reference(const pdmc_particles *p, double x[], int body[])
 {
-    for (int k = 0; k < p->lattice.node_count; k++) {
-        for (int a = 0; a < PDMC_AXES; a++) x[PDMC_AXES * k + a] = p->lattice.reference[a][p->lattice.nodes[k]];
-        if (body) body[k] = p->lattice.body[p->lattice.nodes[k]];
+    for (int k = 0; k < p->nodes.node_count; k++) {
+        for (int a = 0; a < PDMC_AXES; a++) x[PDMC_AXES * k + a] = p->nodes.reference[a][p->nodes.cell[k]];
+        if (body) body[k] = p->nodes.body[p->nodes.cell[k]];
     }
 }
 
 void pdmc_particles_state(const pdmc_particles *p, double u[], double velocity[], double damage[])
 {
-    const pdmc_lattice *g = &p->lattice;
+    const pdmc_nodes *g = &p->nodes;
     for (int b = 0; b < g->block_count; b++) {
         const pdmc_block *block = &g->blocks[b];
         int whole[PDMC_LANES];
-        pdmc_lattice_whole(g, block, whole);
+        pdmc_nodes_whole(g, block, whole);
         for (unsigned left = block->nodes; left; left &= left - 1) {
-            const int k = __builtin_ctz(left), node = pdmc_lattice_node(block, k);
+            const int k = __builtin_ctz(left);
             const size_t c = block->cell + (size_t)k;
+            const int node = g->node[c];
             for (int a = 0; a < PDMC_AXES; a++) {
                 if (u) u[PDMC_AXES * node + a] = p->position[a][c] - g->reference[a][c];
                 if (velocity) velocity[PDMC_AXES * node + a] = pdmc_particles_velocity_at(p, block, a, c);

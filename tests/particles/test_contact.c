@@ -2,6 +2,7 @@
 #include "particles/contact.h"
 
 #include "particles/bodies.h"
+#include "particles/lattice.h"
 #include "particles/particles_impl.h"
 
 /// Nodes that were strangers, scattered so that many are near: the listed pairs are all those within reach, and no other.
@@ -11,7 +12,7 @@ static void check_pairs(double amplitude, double offset, int least)
     unsigned seed = 3;
     make_box(&s, 3, (int[]){14, 10, 8});
     s.options.contact_distance = 1.35;
-    pdmc_lattice g;
+    pdmc_nodes g;
     pdmc_contact contact;
     CHECK_OK(pdmc_lattice_create(&s.options, &g));
     CHECK_OK(pdmc_contact_create(&s.options, &g, 1.0, &contact));
@@ -19,12 +20,12 @@ static void check_pairs(double amplitude, double offset, int least)
     for (int a = 0; a < PDMC_AXES; a++) {
         position[a] = pdmc_calloc(g.cells, sizeof(double));
         for (int k = 0; k < g.node_count; k++)
-            position[a][g.nodes[k]] = g.reference[a][g.nodes[k]] + amplitude * scatter(&seed);
+            position[a][g.cell[k]] = g.reference[a][g.cell[k]] + amplitude * scatter(&seed);
     }
     // One half folded onto the other, and a node far away.
     for (int k = 0; k < g.node_count; k++)
-        if (g.reference[0][g.nodes[k]] > 6.5) position[0][g.nodes[k]] -= offset;
-    position[1][g.nodes[17]] = 1e4;
+        if (g.reference[0][g.cell[k]] > 6.5) position[0][g.cell[k]] -= offset;
+    position[1][g.cell[17]] = 1e4;
     CHECK_OK(pdmc_contact_update(&contact, &g, position, 2));
     const double reach = contact.distance + contact.skin;
     int pairs = 0;
@@ -32,8 +33,8 @@ static void check_pairs(double amplitude, double offset, int least)
         for (int j = 0; j < g.node_count; j++) {
             double near = 0.0, first = 0.0;
             for (int a = 0; a < PDMC_AXES; a++) {
-                near += pow(position[a][g.nodes[i]] - position[a][g.nodes[j]], 2);
-                first += pow(g.reference[a][g.nodes[i]] - g.reference[a][g.nodes[j]], 2);
+                near += pow(position[a][g.cell[i]] - position[a][g.cell[j]], 2);
+                first += pow(g.reference[a][g.cell[i]] - g.reference[a][g.cell[j]], 2);
             }
             const bool wanted = near <= reach * reach && first > 9.0;
             bool found = false;
@@ -46,7 +47,7 @@ static void check_pairs(double amplitude, double offset, int least)
     assert_true(least > 0 ? pairs > least : pairs == 0);
     for (int a = 0; a < PDMC_AXES; a++) pdmc_free(position[a]);
     pdmc_contact_clear(&contact);
-    pdmc_lattice_clear(&g);
+    pdmc_nodes_clear(&g);
 }
 
 static void pairs_are_those_within_reach(void **state)

@@ -54,9 +54,9 @@ static double swing_error(double damping, double bond_damping, double decay, dou
     const double v = 1e-7, square = 2.0 * s.material.micromodulus, w = sqrt(square - decay * decay);
     pdmc_particles *p = create(&s);
     const double dt = p->step;
-    const pdmc_lattice *g = &p->lattice;
+    const pdmc_nodes *g = &p->nodes;
     for (int k = 0; k < 2; k++) // the velocity half a step after the start
-        p->velocity[0][g->nodes[k]] = (k ? v : -v) * (1.0 - decay * dt);
+        p->velocity[0][g->cell[k]] = (k ? v : -v) * (1.0 - decay * dt);
     double u[6], error = 0.0;
     while (pdmc_particles_time(p) < 2.0 * pi / w) {
         CHECK_OK(pdmc_particles_advance(p, 1));
@@ -125,16 +125,16 @@ static void damped_bonds_ask_for_smaller_steps(void **state)
     make_box(&s, 2, (int[]){9, 9, 1});
     pdmc_particles *undamped = create(&s);
     double stiffness = 0.0, weight = 0.0;
-    for (int n = 0; n < undamped->lattice.neighbour_count; n++) {
-        stiffness += 2.0 * s.material.micromodulus * undamped->lattice.neighbours[n].stiffness;
-        weight += 2.0 * s.material.micromodulus * undamped->lattice.neighbours[n].weight;
+    for (int n = 0; n < undamped->nodes.neighbour_count; n++) {
+        stiffness += 2.0 * s.material.micromodulus * undamped->nodes.neighbours[n].stiffness;
+        weight += 2.0 * s.material.micromodulus * undamped->nodes.neighbours[n].weight;
     }
     s.options.bond_damping = 0.7;
     s.options.safety = 1.0;
     pdmc_particles *p = create(&s);
     const double dt = pdmc_particles_stable_step(p);
     CHECK_NEAR(stiffness * dt * dt + 2.0 * 0.7 * weight * dt, 4.0, 1e-13);
-    for (int k = 0; k < 81; k++) p->velocity[0][p->lattice.nodes[k]] = (k + k / 9) % 2 ? 1e-6 : -1e-6;
+    for (int k = 0; k < 81; k++) p->velocity[0][p->nodes.cell[k]] = (k + k / 9) % 2 ? 1e-6 : -1e-6;
     CHECK_OK(pdmc_particles_advance(p, 200));
     assert_true(pdmc_particles_sum(p).kinetic < 81 * 1e-13);
     pdmc_particles_destroy(p);

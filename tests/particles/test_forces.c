@@ -2,11 +2,12 @@
 #include "particles/forces.h"
 
 #include "particles/bodies.h"
+#include "particles/lattice.h"
 
 /// A lattice with arrays of its own, moved at random, some of its bonds stretched beyond what they bear.
 typedef struct {
     specimen s;
-    pdmc_lattice lattice;
+    pdmc_nodes nodes;
     pdmc_bond_law law;
     pdmc_forces forces;
     double *position[PDMC_AXES], *force[PDMC_AXES], *limit, *next_limit, *fracture, *elastic, *contact;
@@ -26,16 +27,15 @@ static void set_up(setting *t, double strengthening, double amplitude)
     make_box(&t->s, 3, (int[]){11, 9, 6});
     t->s.options.volume_rule = PDMC_VOLUME_TAPERED;
     t->s.options.contact_distance = 0.85;
-    CHECK_OK(pdmc_lattice_create(&t->s.options, &t->lattice));
-    const size_t cells = t->lattice.cells + PDMC_LANES, blocks = (size_t)t->lattice.block_count;
+    CHECK_OK(pdmc_lattice_create(&t->s.options, &t->nodes));
+    const size_t cells = t->nodes.cells + PDMC_LANES, blocks = (size_t)t->nodes.block_count;
     t->law = (pdmc_bond_law){2.0, 0.05, strengthening};
-    t->forces = (pdmc_forces){.lattice = &t->lattice, .laws = &t->law, .repulsion = 3.0};
+    t->forces = (pdmc_forces){.nodes = &t->nodes, .laws = &t->law, .repulsion = 3.0};
     for (int a = 0; a < PDMC_AXES; a++) {
         t->forces.position[a] = t->position[a] = zeros(cells);
         t->forces.force[a] = t->force[a] = zeros(cells);
-        memcpy(t->position[a], t->lattice.reference[a], cells * sizeof(double));
-        for (int k = 0; k < t->lattice.node_count; k++)
-            t->position[a][t->lattice.nodes[k]] += amplitude * scatter(&seed);
+        memcpy(t->position[a], t->nodes.reference[a], cells * sizeof(double));
+        for (int k = 0; k < t->nodes.node_count; k++) t->position[a][t->nodes.cell[k]] += amplitude * scatter(&seed);
     }
     t->forces.limit = t->limit = zeros(cells);
     t->forces.next_limit = t->next_limit = zeros(cells);
@@ -43,8 +43,8 @@ static void set_up(setting *t, double strengthening, double amplitude)
     t->forces.fracture = t->fracture = zeros(blocks);
     t->forces.elastic = t->elastic = zeros(blocks);
     t->forces.contact = t->contact = zeros(blocks);
-    t->bonds = malloc(t->lattice.bond_bytes);
-    memcpy(t->bonds, t->lattice.bonds, t->lattice.bond_bytes);
+    t->bonds = malloc(t->nodes.bond_bytes);
+    memcpy(t->bonds, t->nodes.bonds, t->nodes.bond_bytes);
 }
 
 static void tear_down(setting *t)
@@ -59,7 +59,7 @@ static void tear_down(setting *t)
     pdmc_free(t->elastic);
     pdmc_free(t->contact);
     free(t->bonds);
-    pdmc_lattice_clear(&t->lattice);
+    pdmc_nodes_clear(&t->nodes);
 }
 
 /// What a node should have: its bonds one after the other, as the equations are written.
@@ -75,10 +75,10 @@ static double weight_of(double length)
 
 static expected node_by_definition(const setting *t, size_t i)
 {
-    const pdmc_lattice *g = &t->lattice;
+    const pdmc_nodes *g = &t->nodes;
     expected e = {.least_stretch = INFINITY};
     for (int k = 0; k < g->node_count; k++) {
-        const size_t j = g->nodes[k];
+        const size_t j = g->cell[k];
         double apart[PDMC_AXES], square = 0.0, first = 0.0;
         for (int a = 0; a < PDMC_AXES; a++) {
             const double xi = g->reference[a][j] - g->reference[a][i];
@@ -107,10 +107,10 @@ static int touching_pairs, broken_bonds;
 
 static void check_block(const setting *t, int b, double rounding)
 {
-    const pdmc_block *block = &t->lattice.blocks[b];
+    const pdmc_block *block = &t->nodes.blocks[b];
     int whole[PDMC_LANES];
     double fracture = 0.0;
-    pdmc_lattice_whole(&t->lattice, block, whole);
+    pdmc_nodes_whole(&t->nodes, block, whole);
     for (int k = 0; k < PDMC_LANES; k++) {
         if (!(block->nodes >> k & 1)) continue;
         const size_t c = block->cell + (size_t)k;
@@ -119,7 +119,7 @@ static void check_block(const setting *t, int b, double rounding)
         assert_int_equal(whole[k], e.whole);
         fracture += e.fracture;
         touching_pairs += e.touching;
-        broken_bonds += t->lattice.family[c] - e.whole;
+        broken_bonds += t->nodes.family[c] - e.whole;
         if (t->law.strengthening > 0.0)
             CHECK_NEAR(t->next_limit[c], 1.0 / (1.05 - t->law.strengthening * e.least_stretch), rounding);
     }
@@ -130,10 +130,10 @@ static void check_kernel(pdmc_forces_kernel *kernel, double strengthening)
 {
     setting t;
     set_up(&t, strengthening, 0.15);
-    kernel(&t.forces, 0, t.lattice.block_count);
+    kernel(&t.forces, 0, t.nodes.block_count);
     touching_pairs = broken_bonds = 0;
     // About 100 bonds of 0.2 to 1 a node, each to a few roundings of 1e-16 and its stretch to one of 1e-16 of 1 / |xi|.
-    for (int b = 0; b < t.lattice.block_count; b++) check_block(&t, b, 1e-13);
+    for (int b = 0; b < t.nodes.block_count; b++) check_block(&t, b, 1e-13);
     assert_true(touching_pairs > 20 && broken_bonds > 1000); // or nothing would be tested
     tear_down(&t);
 }
@@ -144,17 +144,17 @@ static void check_energies(pdmc_forces_kernel *kernel)
     set_up(&t, 0.0, 0.15);
     t.law.critical_stretch = INFINITY;
     t.forces.energies = true;
-    kernel(&t.forces, 0, t.lattice.block_count);
-    for (int b = 0; b < t.lattice.block_count; b++) {
+    kernel(&t.forces, 0, t.nodes.block_count);
+    for (int b = 0; b < t.nodes.block_count; b++) {
         double elastic = 0.0, contact = 0.0;
-        for (unsigned left = t.lattice.blocks[b].nodes; left; left &= left - 1) {
-            const expected e = node_by_definition(&t, t.lattice.blocks[b].cell + (size_t)__builtin_ctz(left));
+        for (unsigned left = t.nodes.blocks[b].nodes; left; left &= left - 1) {
+            const expected e = node_by_definition(&t, t.nodes.blocks[b].cell + (size_t)__builtin_ctz(left));
             elastic += e.elastic, contact += e.contact;
         }
         CHECK_NEAR(t.elastic[b], elastic, 1e-13);
         CHECK_NEAR(t.contact[b], contact, 1e-13);
     }
-    assert_memory_equal(t.bonds, t.lattice.bonds, t.lattice.bond_bytes);
+    assert_memory_equal(t.bonds, t.nodes.bonds, t.nodes.bond_bytes);
     tear_down(&t);
 }
 
@@ -163,10 +163,10 @@ static void check_balance(pdmc_forces_kernel *kernel)
 {
     setting t;
     set_up(&t, 0.25, 0.15);
-    kernel(&t.forces, 0, t.lattice.block_count);
+    kernel(&t.forces, 0, t.nodes.block_count);
     double sum[PDMC_AXES] = {0}, moment[PDMC_AXES] = {0};
-    for (int k = 0; k < t.lattice.node_count; k++) {
-        const size_t c = t.lattice.nodes[k];
+    for (int k = 0; k < t.nodes.node_count; k++) {
+        const size_t c = t.nodes.cell[k];
         for (int a = 0; a < PDMC_AXES; a++) {
             const int b = (a + 1) % 3, d = (a + 2) % 3;
             sum[a] += t.force[a][c];

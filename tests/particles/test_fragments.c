@@ -65,16 +65,15 @@ static void a_crack_parts_a_body(void **state)
 /// Sends the number of every node to those it has bonds with, in both directions, until nothing changes.
 static void pass_labels(const pdmc_particles *p, size_t label[])
 {
-    const pdmc_lattice *g = &p->lattice;
+    const pdmc_nodes *g = &p->nodes;
     for (bool changes = true; changes;) {
         changes = false;
         for (int b = 0; b < g->block_count; b++)
             for (int k = 0; k < g->blocks[b].listed; k++)
                 for (int lane = 0; lane < PDMC_LANES; lane++) {
                     const size_t here = g->blocks[b].cell + (size_t)lane;
-                    const ptrdiff_t shift = g->neighbours[g->lists[g->blocks[b].list + k]].shift;
                     if (!(g->bonds[g->blocks[b].bonds + (size_t)k] >> lane & 1)) continue;
-                    size_t *there = &label[(size_t)((ptrdiff_t)here + shift)];
+                    size_t *there = &label[pdmc_nodes_neighbour(g, &g->blocks[b], k, lane)];
                     if (label[here] >= *there) continue;
                     *there = label[here];
                     changes = true;
@@ -95,7 +94,7 @@ static void pieces_of_a_plate_that_was_hit(void **state)
     s.options.spheres = &sphere;
     pdmc_particles *p = create(&s);
     CHECK_OK(pdmc_particles_advance(p, 60));
-    const pdmc_lattice *g = &p->lattice;
+    const pdmc_nodes *g = &p->nodes;
     size_t *label = malloc(g->cells * sizeof *label);
     for (size_t c = 0; c < g->cells; c++) label[c] = c;
     pass_labels(p, label);
@@ -104,9 +103,9 @@ static void pieces_of_a_plate_that_was_hit(void **state)
     int roots = 0, nodes = 0;
     double mass = 0.0, momentum = 0.0;
     for (int k = 0; k < found.nodes; k++) {
-        roots += label[g->nodes[k]] == g->nodes[k];
+        roots += label[g->cell[k]] == g->cell[k];
         for (int other = 0; other < k; other++)
-            if ((label[g->nodes[k]] == label[g->nodes[other]]) != (found.of_node[k] == found.of_node[other]))
+            if ((label[g->cell[k]] == label[g->cell[other]]) != (found.of_node[k] == found.of_node[other]))
                 fail_msg("nodes %d and %d", k, other);
     }
     assert_int_equal(found.count, roots);

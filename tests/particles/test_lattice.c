@@ -9,7 +9,7 @@ static double distance(const double a[], const double b[])
 }
 
 /// Whether the lattice holds the bond from node i to node j, by the bits of i's block.
-static bool is_bonded(const pdmc_lattice *g, size_t i, size_t j)
+static bool is_bonded(const pdmc_nodes *g, size_t i, size_t j)
 {
     for (int b = 0; b < g->block_count; b++) {
         const pdmc_block *block = &g->blocks[b];
@@ -21,7 +21,7 @@ static bool is_bonded(const pdmc_lattice *g, size_t i, size_t j)
     return false;
 }
 
-static void node_at(const pdmc_lattice *g, size_t cell, double x[])
+static void node_at(const pdmc_nodes *g, size_t cell, double x[])
 {
     for (int a = 0; a < PDMC_AXES; a++) x[a] = g->reference[a][cell];
 }
@@ -39,23 +39,23 @@ static void bonds_are_those_within_the_horizon(void **state)
     make_box(&s, 3, (int[]){1, 1, 1});
     s.options.body_count = 2;
     s.options.bodies = bodies;
-    pdmc_lattice g;
+    pdmc_nodes g;
     CHECK_OK(pdmc_lattice_create(&s.options, &g));
     for (int i = 0; i < g.node_count; i++) {
         int family = 0;
         for (int j = 0; j < g.node_count; j++) {
             double x[PDMC_AXES], y[PDMC_AXES];
-            node_at(&g, g.nodes[i], x);
-            node_at(&g, g.nodes[j], y);
+            node_at(&g, g.cell[i], x);
+            node_at(&g, g.cell[j], y);
             const bool same =
                 pdmc_shape_holds(&bodies[1].shape, x, 1e-9) == pdmc_shape_holds(&bodies[1].shape, y, 1e-9);
             const bool wanted = i != j && same && distance(x, y) <= 3.0;
-            assert_int_equal(is_bonded(&g, g.nodes[i], g.nodes[j]), wanted);
+            assert_int_equal(is_bonded(&g, g.cell[i], g.cell[j]), wanted);
             family += wanted;
         }
-        assert_int_equal(g.family[g.nodes[i]], family);
+        assert_int_equal(g.family[g.cell[i]], family);
     }
-    pdmc_lattice_clear(&g);
+    pdmc_nodes_clear(&g);
 }
 
 /// Nodes of a region, counted by their coordinates.
@@ -69,11 +69,11 @@ static void nodes_fill_the_region(void **state)
     int wanted = 0;
     for (int x = -10; x <= 10; x++)
         for (int y = -10; y <= 10; y++) wanted += 6 * (x * x + y * y <= 100);
-    pdmc_lattice g;
+    pdmc_nodes g;
     CHECK_OK(pdmc_lattice_create(&s.options, &g));
     assert_int_equal(g.node_count, wanted);
     assert_true(g.bond_bytes < (size_t)wanted * 122);
-    pdmc_lattice_clear(&g);
+    pdmc_nodes_clear(&g);
 }
 
 static bool crosses_disc(const double x[], const double y[], const double radius)
@@ -93,16 +93,16 @@ static void cracks_cut_what_crosses_them(void **state)
         .kind = PDMC_CRACK_DISC, .centre = {4.5, 4.5, 0.5}, .normal = {0, 0, 2}, .radius = 3.3};
     const pdmc_planar_crack square = {
         .kind = PDMC_CRACK_RECTANGLE, .centre = {4.5, 4.5, 0.5}, .side = {{2.2, 0, 0}, {0, 3.2, 0}}};
-    pdmc_lattice g;
+    pdmc_nodes g;
     for (int kind = 0; kind < 2; kind++) {
         CHECK_OK(pdmc_lattice_create(&s.options, &g));
-        CHECK_OK(pdmc_lattice_cut(&g, 1, kind == 0 ? &disc : &square));
+        CHECK_OK(pdmc_nodes_cut(&g, 1, kind == 0 ? &disc : &square));
         int cut = 0;
         for (int i = 0; i < g.node_count; i++) {
             for (int j = 0; j < g.node_count; j++) {
                 double x[PDMC_AXES], y[PDMC_AXES];
-                node_at(&g, g.nodes[i], x);
-                node_at(&g, g.nodes[j], y);
+                node_at(&g, g.cell[i], x);
+                node_at(&g, g.cell[j], y);
                 if (i == j || distance(x, y) > 3.0) continue;
                 bool wanted = crosses_disc(x, y, 3.3);
                 if (kind == 1 && (x[2] < 0.5) != (y[2] < 0.5)) {
@@ -110,12 +110,12 @@ static void cracks_cut_what_crosses_them(void **state)
                     wanted = fabs(x[0] + share * (y[0] - x[0]) - 4.5) <= 2.2 &&
                              fabs(x[1] + share * (y[1] - x[1]) - 4.5) <= 3.2;
                 }
-                assert_int_equal(is_bonded(&g, g.nodes[i], g.nodes[j]), !wanted);
+                assert_int_equal(is_bonded(&g, g.cell[i], g.cell[j]), !wanted);
                 cut += wanted;
             }
         }
         assert_true(cut > 100);
-        pdmc_lattice_clear(&g);
+        pdmc_nodes_clear(&g);
     }
 }
 

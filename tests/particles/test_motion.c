@@ -136,8 +136,8 @@ static void rotation_stretches_nothing(void **state)
     make_box(&s, 3, (int[]){9, 7, 5});
     s.body.velocity[0] = 1.0;
     pdmc_particles *p = create(&s);
-    for (int k = 0; k < p->lattice.node_count; k++) {
-        const size_t c = p->lattice.nodes[k];
+    for (int k = 0; k < p->nodes.node_count; k++) {
+        const size_t c = p->nodes.cell[k];
         const double x = p->position[0][c];
         p->position[0][c] = -p->position[1][c];
         p->position[1][c] = x;
