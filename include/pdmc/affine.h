@@ -22,7 +22,8 @@ typedef struct {
     /// @param[out] model  of that plate, without a family
     /// @param[out] plate  what the model needs; both are freed by release(), whatever is returned
     /// @return PDMC_OK, PDMC_ERR_NOMEM, or another status where there is no such plate or no model of it
-    pdmc_status (*make)(const void *context, const double value[], bool measure_alone, pdmc_affine *model, void **plate);
+    pdmc_status (*make)(const void *context, const double value[], bool measure_alone, pdmc_affine *model,
+                        void **plate);
     void (*release)(pdmc_affine *model, void *plate);
 } pdmc_affine_family;
 
@@ -45,12 +46,15 @@ typedef struct {
     pdmc_status (*solve)(const pdmc_affine *model, const double xi[], const double scale[], double x[]);
 
     /// Y = (mean K_0 + sum_m xi_m K_m) X and Z = K_0^-1 R, column by column, where K is symmetric positive definite on the
-    /// unknowns that are not held; NULL elsewhere. Held unknowns of Y are 0, and so are those of Z where R has a 0.
+    /// unknowns that are not held; NULL elsewhere. Held unknowns of Y are 0, and so are those of Z where R has a 0. The last
+    /// bits of Z may depend on its number of columns.
     /// @param[in]  mean    1, or 0 for the terms alone
     /// @param[in]  xi      [PDMC_BLOCK, terms]
-    /// @param      x y r z [PDMC_BLOCK, unknowns], not overlapping
+    /// @param[in]  count   columns of R and Z, 1 <= count <= PDMC_BLOCK
+    /// @param      x y     [PDMC_BLOCK, unknowns], not overlapping
+    /// @param      r z     [count, unknowns], not overlapping
     pdmc_status (*multiply)(const pdmc_affine *model, double mean, const double xi[], const double x[], double y[]);
-    pdmc_status (*precondition)(const pdmc_affine *model, const double r[], double z[]);
+    pdmc_status (*precondition)(const pdmc_affine *model, int count, const double r[], double z[]);
 
     /// Z = K_0^-1/2 G, a root for which the covariance of Z is K_0^-1 where that of G is the identity; on the unknowns that
     /// are not held, 0 on those.

@@ -69,28 +69,38 @@ done:
     return status;
 }
 
-// A block is solved in parts of a fixed width, since the last bits depend on it, side by side where there are threads.
-static pdmc_status precondition(const pdmc_affine *model, const double r[], double z[])
+// pdmc_bond_factor_solve() or its like, on halves of the columns side by side where there are threads, but always on
+// halves, since the last bits depend on the width.
+typedef pdmc_status by_factor(const pdmc_bond_factor *factor, int columns, const double b[], double x[]);
+
+static pdmc_status in_halves(by_factor *solve_columns, const pdmc_affine *model, int count, const double b[],
+                             double x[])
 {
-    enum { PART = B / 2 };
     pdmc_status status = PDMC_OK;
     const pdmc_bond *bond = bond_of(model);
+    const int half = (count + 1) / 2;
 #pragma omp parallel for num_threads(bond->threads)
-    for (int first = 0; first < B; first += PART) {
+    for (int first = 0; first < count; first += half) {
         const size_t at = (size_t)first * (size_t)model->unknowns;
-        const pdmc_status mine = pdmc_bond_factor_solve(bond->factor, PART, &r[at], &z[at]);
+        const pdmc_status mine =
+            solve_columns(bond->factor, first + half <= count ? half : count - first, &b[at], &x[at]);
         if (mine != PDMC_OK) {
-#pragma omp critical(pdmc_bond_precondition)
+#pragma omp critical(pdmc_bond_in_halves)
             status = mine;
         }
     }
     return status;
 }
 
+static pdmc_status precondition(const pdmc_affine *model, int count, const double r[], double z[])
+{
+    return in_halves(pdmc_bond_factor_solve, model, count, r, z);
+}
+
 static pdmc_status color(const pdmc_affine *model, const double g[], double z[])
 {
     const pdmc_bond_grid *grid = &bond_of(model)->plate.grid;
-    const pdmc_status status = pdmc_bond_factor_color(bond_of(model)->factor, B, g, z);
+    const pdmc_status status = in_halves(pdmc_bond_factor_color, model, B, g, z);
     for (int k = 0; k < model->unknowns && status == PDMC_OK; k++)
         if (grid->held[k / 2] & (1U << (k % 2)))
             for (int s = 0; s < B; s++) z[(size_t)s * (size_t)model->unknowns + (size_t)k] = 0.0;
@@ -100,7 +110,7 @@ static pdmc_status color(const pdmc_affine *model, const double g[], double z[])
 static pdmc_status perturb(const pdmc_affine *model, const double xi[], const double x[], double y[])
 {
     const pdmc_status status = multiply(model, 0.0, xi, x, y);
-    return status == PDMC_OK ? precondition(model, y, y) : status;
+    return status == PDMC_OK ? precondition(model, B, y, y) : status;
 }
 
 static pdmc_status solve(const pdmc_affine *model, const double xi[], const double scale[], double x[])

@@ -104,10 +104,15 @@ static pdmc_status perturb(const pdmc_affine *model, const double xi[], const do
 }
 
 // K_0 is the identity.
-static pdmc_status copy(const pdmc_affine *model, const double x[], double y[])
+static pdmc_status precondition(const pdmc_affine *model, int count, const double r[], double z[])
 {
-    memcpy(y, x, (size_t)B * (size_t)model->unknowns * sizeof *y);
+    memcpy(z, r, (size_t)count * (size_t)model->unknowns * sizeof *z);
     return PDMC_OK;
+}
+
+static pdmc_status color(const pdmc_affine *model, const double g[], double z[])
+{
+    return precondition(model, B, g, z);
 }
 
 // The lower triangle of K += rows' weighted, by panels of columns.
@@ -252,8 +257,8 @@ pdmc_status pdmc_stiffness_operator_create(const pdmc_kansa_form *form, const pd
     static const pdmc_affine_verbs verbs = {.perturb = perturb,
                                             .solve = solve,
                                             .multiply = multiply,
-                                            .precondition = copy,
-                                            .color = copy,
+                                            .precondition = precondition,
+                                            .color = color,
                                             .project = project,
                                             .coercivity = coercivity,
                                             .destroy = destroy};

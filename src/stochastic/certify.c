@@ -59,23 +59,29 @@ static double bond_root_energy(const pdmc_block *block, int s, const pdmc_result
 }
 
 // G = |F m K|^2 / (m E'), m the sample's modulus at the tip over the mean's
-static double griffith_root_energy(const pdmc_block *block, int s, const pdmc_results *results)
+static void griffith_root_energies(const pdmc_block *block, int count, const pdmc_results *results, double delta[])
 {
     const double plane_modulus = pdmc_plane_modulus(&block->problem->material);
-    double largest = 0.0;
+    for (int s = 0; s < count; s++) delta[s] = 0.0;
     for (int t = 0; t < results->tip_count; t++) {
-        const double *error = &block->bound.intensity[2 * (s * results->tip_count + t)];
-        const double scale = sqrt(block->drawn.draw[s].tip_modulus[t] / plane_modulus);
-        largest = fmax(largest, scale * largest_kink_norm(results, t) * hypot(error[0], error[1]));
+        const double norm = largest_kink_norm(results, t);
+        for (int s = 0; s < count; s++) {
+            const double *error = &block->bound.intensity[2 * (s * results->tip_count + t)];
+            const double scale = sqrt(block->drawn.draw[s].tip_modulus[t] / plane_modulus);
+            delta[s] = fmax(delta[s], scale * norm * hypot(error[0], error[1]));
+        }
     }
-    return largest;
 }
 
-double pdmc_certify_root_energy(const pdmc_block *block, int s, const pdmc_results *results, pdmc_measure measure)
+void pdmc_certify_root_energies(const pdmc_block *block, int count, const pdmc_results *results, pdmc_measure measure,
+                                double delta[])
 {
-    if (block->failure[s] != PDMC_SAMPLE_OK) return 0.0;
-    if (!isfinite(block->bound.error[s])) return INFINITY;
-    return (measure == PDMC_MEASURE_BOND ? bond_root_energy : griffith_root_energy)(block, s, results);
+    if (measure == PDMC_MEASURE_GRIFFITH) griffith_root_energies(block, count, results, delta);
+    for (int s = 0; s < count; s++) {
+        if (measure == PDMC_MEASURE_BOND) delta[s] = bond_root_energy(block, s, results);
+        if (!isfinite(block->bound.error[s])) delta[s] = INFINITY;
+        if (block->failure[s] != PDMC_SAMPLE_OK) delta[s] = 0.0;
+    }
 }
 
 static double nominal_root(const pdmc_results *results, const double energy[], int tip)

@@ -11,10 +11,11 @@
 #include "pdmc/results.h"
 #include "stochastic/block.h"
 
-/// @param[in] block  solved by the reduced model
-/// @return delta of a measure, the largest of all tips; infinite where there is no bound, 0 of a sample that has failed, as it
-/// would in full
-double pdmc_certify_root_energy(const pdmc_block *block, int s, const pdmc_results *results, pdmc_measure measure);
+/// delta of a measure for the first `count` samples of a block, the largest of all tips.
+/// @param[in]  block  solved by the reduced model
+/// @param[out] delta  [count] infinite where there is no bound, 0 of a sample that has failed, as it would in full
+void pdmc_certify_root_energies(const pdmc_block *block, int count, const pdmc_results *results, pdmc_measure measure,
+                                double delta[]);
 
 /// What gives the largest energies at the mean, by the problem's measure, the relative error that is asked for.
 /// @param[in]  results    the nominal energies

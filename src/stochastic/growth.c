@@ -59,11 +59,9 @@ static double growth_of(const pdmc_growth *growth, const pdmc_block *block, int 
 }
 
 // The event hangs on the sign of g alone: within its bound, (1 +- delta / sqrt(G))^2, a reduced answer does not tell it.
-static bool is_in_doubt(const pdmc_growth *growth, const pdmc_block *block, int s, double g)
+static bool is_in_doubt(const pdmc_block *block, int s, double g, double delta)
 {
-    if (isnan(block->bound.error[s]) || isnan(g)) return false;
-    const pdmc_measure measure = block->problem->energy.measure;
-    const double delta = pdmc_certify_root_energy(block, s, growth->results, measure);
+    if (isnan(g)) return false;
     const double toughness = pdmc_draw_fracture_energy(&block->drawn.draw[s]);
     return fabs(exp(0.5 * g) - 1.0) * sqrt(fmax(toughness, 0.0)) <= delta;
 }
@@ -77,13 +75,16 @@ static void measure(const pdmc_growth *growth, pdmc_block *block)
 static pdmc_status solve_block(pdmc_growth *growth, pdmc_block *block, int count, const double z[], double g[],
                                bool doubt[])
 {
+    double delta[B];
     pdmc_status status = pdmc_block_draw_points(block, z, count);
     if (status == PDMC_OK) status = pdmc_block_solve(block, count);
     if (status != PDMC_OK) return status;
     measure(growth, block);
+    const bool is_reduced = growth->full != growth->model;
+    if (is_reduced) pdmc_certify_root_energies(block, count, growth->results, block->problem->energy.measure, delta);
     for (int s = 0; s < count; s++) {
         g[s] = growth_of(growth, block, s);
-        doubt[s] = is_in_doubt(growth, block, s, g[s]);
+        doubt[s] = is_reduced && is_in_doubt(block, s, g[s], delta[s]);
     }
     return PDMC_OK;
 }

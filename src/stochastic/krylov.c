@@ -69,7 +69,7 @@ static pdmc_status begin(iteration *it, double x[])
     PDMC_TRY(model->verbs->multiply(model, 1.0, it->xi, x, it->q));
     for (int s = 0; s < B; s++) it->reference[s] = dot(it, it->r, x, s);
     for (size_t k = 0; k < values; k++) it->r[k] -= it->q[k];
-    PDMC_TRY(model->verbs->precondition(model, it->r, it->z));
+    PDMC_TRY(model->verbs->precondition(model, B, it->r, it->z));
     memcpy(it->p, it->z, values * sizeof *it->p);
     for (int s = 0; s < B; s++) {
         it->product[s] = dot(it, it->r, it->z, s);
@@ -124,7 +124,7 @@ pdmc_status pdmc_krylov_solve(const pdmc_affine *model, const double xi[], doubl
         PDMC_TRY(model->verbs->multiply(model, 1.0, xi, it.p, it.q));
         for (int s = 0; s < B; s++)
             if (it.running[s]) advance(&it, s, x);
-        PDMC_TRY(model->verbs->precondition(model, it.r, it.z));
+        PDMC_TRY(model->verbs->precondition(model, B, it.r, it.z));
         for (int s = 0; s < B; s++)
             if (it.running[s]) turn(&it, s);
     }

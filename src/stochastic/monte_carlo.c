@@ -47,11 +47,11 @@ static int block_size(const run *r, int block)
 
 static void note_accuracy(const run *r, const pdmc_block *block, int count)
 {
-    for (int s = 0; s < count; s++) {
-        const int sample = block->sample[s];
-        r->residual[sample] = block->residual[s];
-        for (int m = 0; m < PDMC_MEASURES && !isnan(block->bound.error[s]); m++)
-            r->delta[m][sample] = pdmc_certify_root_energy(block, s, r->results, (pdmc_measure)m);
+    double delta[PDMC_BLOCK];
+    for (int s = 0; s < count; s++) r->residual[block->sample[s]] = block->residual[s];
+    for (int m = 0; m < PDMC_MEASURES && block->model != r->full; m++) {
+        pdmc_certify_root_energies(block, count, r->results, (pdmc_measure)m, delta);
+        for (int s = 0; s < count; s++) r->delta[m][block->sample[s]] = delta[s];
     }
 }
 

@@ -22,17 +22,23 @@ done:
     return status;
 }
 
-// Full rows in the coordinates of the space, or as they are where they look at what is observed.
+// Rows in the coordinates of the space.
+static pdmc_status reduce_all(const pdmc_reduced_builder *b, int rows, const double row[], double reduced[])
+{
+    const int n = b->n, r = b->system->dimension;
+    if (rows > 0)
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, rows, r, n, 1.0, row, n, b->basis, n, 0.0, reduced, r);
+    return pdmc_reduced_turn(b, rows, reduced);
+}
+
+// As they are where they look at what is observed.
 static pdmc_status reduce_rows(const pdmc_reduced_builder *b, const pdmc_crossing *full, pdmc_crossing *reduced)
 {
     pdmc_status status = PDMC_OK;
-    const int n = b->n, r = b->system->dimension, observed = b->full->observed;
-    const int width = observed > 0 ? observed : r;
+    const int observed = b->full->observed, width = observed > 0 ? observed : b->system->dimension;
     PDMC_NEW(reduced->row, (size_t)full->bonds * (size_t)width);
     if (observed > 0) memcpy(reduced->row, full->row, (size_t)full->bonds * (size_t)width * sizeof *full->row);
-    else if (full->bonds > 0)
-        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, full->bonds, r, n, 1.0, full->row, n, b->basis, n, 0.0,
-                    reduced->row, r);
+    else PDMC_TRY(reduce_all(b, full->bonds, full->row, reduced->row));
 done:
     return status;
 }
@@ -55,12 +61,11 @@ static pdmc_status reduce_observed(const pdmc_reduced_builder *b, const int numb
     pdmc_status status = PDMC_OK;
     const int n = b->n, r = b->system->dimension;
     PDMC_NEW(reduced->observe, (size_t)reduced->observed * (size_t)r);
-    if (b->full->observed > 0)
-        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, reduced->observed, r, n, 1.0, b->full->observe, n,
-                    b->basis, n, 0.0, reduced->observe, r);
-    for (int k = 0; k < n && b->full->observed == 0; k++)
+    if (b->full->observed > 0) return reduce_all(b, reduced->observed, b->full->observe, reduced->observe);
+    for (int k = 0; k < n; k++)
         for (int j = 0; j < r && number[k] >= 0; j++)
             reduced->observe[(size_t)number[k] * (size_t)r + (size_t)j] = b->basis[(size_t)j * (size_t)n + (size_t)k];
+    PDMC_TRY(pdmc_reduced_turn(b, reduced->observed, reduced->observe));
 done:
     return status;
 }
@@ -82,20 +87,20 @@ done:
     return status;
 }
 
-// The coordinates of a vector of the space are its products with the images of the basis.
+// The coordinates of an answer at the mean are those of its load; nothing is prescribed but zero.
 static pdmc_status reduce_vectors(const pdmc_reduced_builder *b, pdmc_affine *reduced)
 {
     pdmc_status status = PDMC_OK;
-    const pdmc_affine *full = b->full;
-    const int n = b->n, r = b->system->dimension;
+    const pdmc_reduced_system *system = b->system;
+    const int r = system->dimension;
     reduced->unknowns = r;
-    PDMC_NEW(reduced->solution, full->cases * r);
+    PDMC_NEW(reduced->solution, reduced->cases * r);
     PDMC_NEW(reduced->stress_intensity, 2 * reduced->tips * r);
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, full->cases, r, n, 1.0, full->solution, n, b->image, n, 0.0,
-                reduced->solution, r);
-    if (reduced->tips > 0)
-        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, 2 * reduced->tips, r, n, 1.0, b->full->stress_intensity, n,
-                    b->basis, n, 0.0, reduced->stress_intensity, r);
+    for (int l = 1; l < reduced->cases; l++) {
+        const int load = l == 1 ? 0 : system->sides + l - 2;
+        memcpy(&reduced->solution[l * r], &system->load[load * PDMC_REDUCED_CAPACITY], (size_t)r * sizeof(double));
+    }
+    PDMC_TRY(reduce_all(b, 2 * reduced->tips, b->full->stress_intensity, reduced->stress_intensity));
 done:
     return status;
 }
@@ -110,9 +115,7 @@ static pdmc_status bound_intensities(pdmc_reduced_builder *b, pdmc_affine *reduc
     for (int first = 0; first < rows; first += B) {
         const int count = rows - first < B ? rows - first : B;
         const double *row = &full->stress_intensity[(size_t)first * (size_t)n];
-        memset(b->block, 0, (size_t)B * (size_t)n * sizeof *b->block);
-        memcpy(b->block, row, (size_t)count * (size_t)n * sizeof *row);
-        PDMC_TRY(full->verbs->precondition(full, b->block, b->product));
+        PDMC_TRY(full->verbs->precondition(full, count, row, b->product));
         for (int k = 0; k < count; k++)
             reduced->intensity_bound[first + k] =
                 sqrt(cblas_ddot(n, &row[(size_t)k * (size_t)n], 1, &b->product[(size_t)k * (size_t)n], 1));

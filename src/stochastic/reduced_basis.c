@@ -12,7 +12,11 @@
 
 static const double share_left_out = 0.05; // of the error that is allowed: smaller directions do not enter the basis
 
-enum { B = PDMC_BLOCK, CAPACITY = PDMC_REDUCED_CAPACITY, MOST_ROUNDS = 12, PART = B / 4 };
+enum { B = PDMC_BLOCK, CAPACITY = PDMC_REDUCED_CAPACITY, MOST_ROUNDS = 12, PART = B / 4, PANEL = 2048 };
+
+// How often the basis is projected out of new vectors. Twice is enough for any (Kahan); those whose residuals are orthogonal
+// to the basis, but for rounding, have nothing to lose but that.
+enum { ORTHOGONAL = 1, ANY = 2 };
 
 static const double margin = 0.6; // of the goal that training samples meet: the worst of thousands is worse than theirs
 
@@ -27,6 +31,7 @@ pdmc_status pdmc_reduced_builder_create(const pdmc_reduced_goal *goal, pdmc_redu
     PDMC_NEW(b->probe, (PDMC_PROBES + CAPACITY) * n);
     b->basis = b->probe + PDMC_PROBES * n;
     PDMC_NEW(b->image, CAPACITY * n);
+    PDMC_NEW(b->direction, CAPACITY * CAPACITY);
     PDMC_NEW(b->load, (size_t)(sides + added) * n);
     PDMC_NEW(b->block, B * n);
     PDMC_NEW(b->product, B * n);
@@ -45,6 +50,7 @@ void pdmc_reduced_builder_clear(pdmc_reduced_builder *b)
     pdmc_reduced_system_destroy(b->system);
     pdmc_free(b->probe);
     pdmc_free(b->image);
+    pdmc_free(b->direction);
     pdmc_free(b->load);
     pdmc_free(b->block);
     pdmc_free(b->product);
@@ -101,7 +107,7 @@ static pdmc_status make_loads(pdmc_reduced_builder *b)
 }
 
 // block -= V (K_0 V)' block, some vectors at a time.
-static void project_out(pdmc_reduced_builder *b)
+static void project_out(const pdmc_reduced_builder *b)
 {
     const int n = b->n, r = b->system->dimension;
     if (r == 0) return;
@@ -215,6 +221,15 @@ done:
     return status;
 }
 
+// The mean's on the probes, some vectors at a time.
+static void project_mean(const pdmc_reduced_builder *b, int first, int count)
+{
+#pragma omp parallel for schedule(static) num_threads(b->threads)
+    for (int k = 0; k < count; k += PART)
+        project_on_probes(b, 0, first + k, count - k < PART ? count - k : PART,
+                          &b->image[(size_t)(first + k) * (size_t)b->n]);
+}
+
 // Everything that solving needs of `count` <= B new vectors at the end of the basis.
 static pdmc_status project(pdmc_reduced_builder *b, int count)
 {
@@ -223,19 +238,33 @@ static pdmc_status project(pdmc_reduced_builder *b, int count)
     b->system->dimension += count;
     cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, b->system->sides + b->system->added, count, n, 1.0, b->load, n,
                 vectors, n, 0.0, &b->system->load[first], CAPACITY);
-    project_on_probes(b, 0, first, count, &b->image[(size_t)first * (size_t)n]);
+    project_mean(b, first, count);
     return (b->full->verbs->project ? project_at_once : project_terms)(b, first, count);
+}
+
+// Combinations of the vectors of a block, behind the end of others like the basis; some numbers of every vector at a time.
+static void append(const pdmc_reduced_builder *b, int count, const double combination[], const double block[],
+                   double others[])
+{
+    const int n = b->n;
+    double *end = &others[(size_t)b->system->dimension * (size_t)n];
+#pragma omp parallel for schedule(static) num_threads(b->threads)
+    for (int first = 0; first < n; first += PANEL) {
+        const int width = n - first < PANEL ? n - first : PANEL;
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, count, width, B, 1.0, combination, B, &block[first], n,
+                    0.0, &end[first], n);
+    }
 }
 
 // Appends to the basis those combinations of the block that are new and large: the eigenvectors of its Gram matrix in the
 // energy of the mean. What is `small` against the errors that are allowed is left out.
-static pdmc_status enrich(pdmc_reduced_builder *b, double small, int *added)
+static pdmc_status enrich(pdmc_reduced_builder *b, int passes, double small, int *added)
 {
     pdmc_status status = PDMC_OK;
     const int n = b->n, room = CAPACITY - b->system->dimension;
     const double rounding = 1e-10; // of the largest eigenvalue: beyond it vectors are no longer orthogonal
     double gram[B * B], eigenvalue[B];
-    for (int pass = 0; pass < 2; pass++) project_out(b); // twice is enough (Kahan)
+    for (int pass = 0; pass < passes; pass++) project_out(b);
     PDMC_TRY(b->full->verbs->multiply(b->full, 1.0, b->none, b->block, b->product));
     cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, B, B, n, 1.0, b->block, n, b->product, n, 0.0, gram, B);
     const int info = LAPACKE_dsyev(LAPACK_COL_MAJOR, 'V', 'L', B, gram, B, eigenvalue); // ascending
@@ -244,13 +273,10 @@ static pdmc_status enrich(pdmc_reduced_builder *b, double small, int *added)
     *added = 0;
     while (*added < B && *added < room && eigenvalue[B - 1 - *added] > negligible) ++*added;
     for (int k = 0; k < *added; k++) cblas_dscal(B, 1.0 / sqrt(eigenvalue[B - 1 - k]), &gram[(B - 1 - k) * B], 1);
-    const size_t end = (size_t)b->system->dimension * (size_t)n;
-    const double *combination = &gram[(B - *added) * B];
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, *added, n, B, 1.0, combination, B, b->block, n, 0.0,
-                &b->basis[end], n);
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, *added, n, B, 1.0, combination, B, b->product, n, 0.0,
-                &b->image[end], n);
-    if (*added > 0) PDMC_TRY(project(b, *added));
+    if (*added == 0) goto done;
+    append(b, *added, &gram[(B - *added) * B], b->block, b->basis);
+    append(b, *added, &gram[(B - *added) * B], b->product, b->image);
+    PDMC_TRY(project(b, *added));
 done:
     return status;
 }
@@ -262,13 +288,12 @@ static pdmc_status begin_basis(pdmc_reduced_builder *b, int *added)
     const size_t n = (size_t)b->n;
     memset(b->block, 0, B * n * sizeof *b->block);
     memcpy(b->block, pdmc_affine_solution(b->full, 1), n * sizeof *b->block);
-    PDMC_TRY(enrich(b, 0.0, added));
+    PDMC_TRY(enrich(b, ANY, 0.0, added));
     for (int first = 1; first < b->system->sides; first += B) {
         const int left = b->system->sides - first, count = left < B ? left : B;
-        memset(b->product, 0, B * n * sizeof *b->product);
-        memcpy(b->product, &b->load[(size_t)first * n], (size_t)count * n * sizeof *b->product);
-        PDMC_TRY(b->full->verbs->precondition(b->full, b->product, b->block));
-        PDMC_TRY(enrich(b, 0.0, added));
+        memset(b->block, 0, B * n * sizeof *b->block);
+        PDMC_TRY(b->full->verbs->precondition(b->full, count, &b->load[(size_t)first * n], b->block));
+        PDMC_TRY(enrich(b, ANY, 0.0, added));
     }
 done:
     return status;
@@ -286,7 +311,7 @@ static pdmc_status add_cases(pdmc_reduced_builder *b)
         const int left = b->full->cases - first, count = left < B ? left : B;
         memset(b->block, 0, B * n * sizeof *b->block);
         memcpy(b->block, pdmc_affine_solution(b->full, first), (size_t)count * n * sizeof *b->block);
-        PDMC_TRY(enrich(b, combined * size, &added));
+        PDMC_TRY(enrich(b, ANY, combined * size, &added));
     }
 done:
     return status;
@@ -326,12 +351,19 @@ static void expand_chosen(pdmc_reduced_builder *b, const double y[], const size_
                     CAPACITY, b->basis, (int)n, 0.0, &b->block[first * n], (int)n);
 }
 
+// No more vectors than that are independent among the residuals.
+static int most_independent(const pdmc_reduced_builder *b)
+{
+    const int most = b->system->sides + b->system->added + b->system->terms * b->system->dimension;
+    return most < B ? most : B;
+}
+
 // The block becomes the preconditioned residuals K_0^-1 (F - K(xi) V y) of those of the training samples and right-hand
 // sides whose errors are the largest shares of what is allowed, as shares of it. Samples without a bound are left out.
 static pdmc_status residuals(pdmc_reduced_builder *b, const double y[], const double error[])
 {
     pdmc_status status = PDMC_OK;
-    const int n = b->n, sides = b->system->sides;
+    const int n = b->n, sides = b->system->sides, count = most_independent(b);
     double *share = NULL;
     size_t chosen[B];
     PDMC_NEW(share, PDMC_TRAINING * sides);
@@ -340,7 +372,7 @@ static pdmc_status residuals(pdmc_reduced_builder *b, const double y[], const do
     gsl_sort_largest_index(chosen, B, share, 1, (size_t)(PDMC_TRAINING * sides));
     expand_chosen(b, y, chosen);
     PDMC_TRY(b->full->verbs->multiply(b->full, 1.0, b->xi, b->block, b->product));
-    for (int c = 0; c < B; c++) {
+    for (int c = 0; c < count; c++) {
         const int side = (int)chosen[c] % sides;
         const double *load = &b->load[(size_t)side * (size_t)n];
         const double scale = share[chosen[c]] > 0.0 ? 1.0 / b->allowed[side] : 0.0;
@@ -350,7 +382,8 @@ static pdmc_status residuals(pdmc_reduced_builder *b, const double y[], const do
         for (int l = 0; l < b->system->added && side == 0; l++)
             cblas_daxpy(n, scale * shares[l], &b->load[(size_t)(sides + l) * (size_t)n], 1, row, 1);
     }
-    PDMC_TRY(b->full->verbs->precondition(b->full, b->product, b->block));
+    memset(b->block, 0, (size_t)B * (size_t)n * sizeof *b->block);
+    PDMC_TRY(b->full->verbs->precondition(b->full, count, b->product, b->block));
 done:
     pdmc_free(share);
     return status;
@@ -415,7 +448,7 @@ pdmc_status pdmc_reduced_build(const pdmc_reduced_goal *goal, pdmc_reduced_build
         PDMC_TRY(train(b, round, y, error, &worst));
         if (worst <= margin || added == 0 || round == MOST_ROUNDS) break;
         PDMC_TRY(residuals(b, y, error));
-        PDMC_TRY(enrich(b, share_left_out, &added));
+        PDMC_TRY(enrich(b, ORTHOGONAL, share_left_out, &added));
     }
     PDMC_TRY(pdmc_reduced_order(b, y));
 done:

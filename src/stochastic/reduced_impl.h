@@ -41,8 +41,8 @@ void pdmc_reduced_system_destroy(void *system);
 /// @param[in] error  [sides]
 double pdmc_reduced_share(const pdmc_reduced_system *system, const double error[]);
 
-/// Solves a block for all right-hand sides. In an ordered basis a sample takes half of the vectors, and more, a quarter at a
-/// time, until its bounds meet the goal or it has them all: the other coordinates are 0.
+/// Solves a block for all right-hand sides. In an ordered basis a sample takes three eighths of the vectors, and more, an
+/// eighth at a time, until its bounds meet the goal or it has them all: the other coordinates are 0.
 /// @param[in]  xi     [PDMC_BLOCK, terms]
 /// @param[in]  share  [PDMC_BLOCK, added] of the added cases in the load; NULL: none
 /// @param[out] y      [PDMC_BLOCK, sides, dimension]
@@ -61,6 +61,7 @@ typedef struct {
     pdmc_reduced_system *system;
     double *probe, *basis;   // [PDMC_PROBES] and, right behind, [PDMC_REDUCED_CAPACITY] V
     double *image;           // [PDMC_REDUCED_CAPACITY] K_0 V
+    double *direction;       // [dimension, dimension] Q, by rows, that order the basis as Q V
     double *load;            // [sides + added] F
     double *block, *product; // [B]
     double *overlap;         // [B, PDMC_REDUCED_CAPACITY]
@@ -74,11 +75,16 @@ typedef struct {
 PDMC_NODISCARD pdmc_status pdmc_reduced_builder_create(const pdmc_reduced_goal *goal, pdmc_reduced_builder *b);
 void pdmc_reduced_builder_clear(pdmc_reduced_builder *b);
 
-/// Turns the basis into the principal directions of the training samples' answers, the largest first, in shares of the
+/// Turns the system to the principal directions of the training samples' answers, the largest first, in shares of the
 /// errors that are allowed (proper orthogonal decomposition; Quarteroni, Manzoni & Negri, Reduced Basis Methods, 2016,
-/// section 6.3): the space stays the same, and most samples need its first part alone.
+/// section 6.3): the space stays the same, and most samples need its first part alone. The long vectors of the basis stay
+/// as they are.
 /// @param[in] y  [PDMC_TRAINING, sides, dimension] answers
 PDMC_NODISCARD pdmc_status pdmc_reduced_order(pdmc_reduced_builder *b, const double y[]);
+
+/// What rows give of the vectors of the basis becomes what they give of the directions.
+/// @param x  [rows, dimension]
+PDMC_NODISCARD pdmc_status pdmc_reduced_turn(const pdmc_reduced_builder *b, int rows, double x[]);
 
 /// Makes the basis and the system, until the bounds of the training samples' errors meet the goal.
 PDMC_NODISCARD pdmc_status pdmc_reduced_build(const pdmc_reduced_goal *goal, pdmc_reduced_builder *b);

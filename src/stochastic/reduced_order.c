@@ -5,7 +5,7 @@
 #include <lapacke.h>
 #include <string.h>
 
-enum { CAPACITY = PDMC_REDUCED_CAPACITY, PROBES = PDMC_PROBES, PANEL = 512 }; // numbers of every vector at a time
+enum { CAPACITY = PDMC_REDUCED_CAPACITY, PROBES = PDMC_PROBES };
 
 // The principal directions of answers that may be off by `allowed`, by rows. [r, r]
 static pdmc_status find_directions(const pdmc_reduced_builder *b, const double y[], double direction[])
@@ -27,28 +27,6 @@ done:
     return status;
 }
 
-// X = Q X, [r, columns] with a stride, a panel of columns at a time.
-static pdmc_status turn(const pdmc_reduced_builder *b, const double direction[], size_t columns, double x[])
-{
-    pdmc_status status = PDMC_OK;
-    const size_t r = (size_t)b->system->dimension;
-#pragma omp parallel for schedule(dynamic) num_threads(b->threads)
-    for (size_t first = 0; first < columns; first += PANEL) {
-        const size_t width = columns - first < PANEL ? columns - first : PANEL;
-        double *turned = pdmc_calloc(r * width, sizeof *turned);
-        if (turned) {
-            cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, (int)r, (int)width, (int)r, 1.0, direction, (int)r,
-                        &x[first], (int)columns, 0.0, turned, (int)width);
-            for (size_t j = 0; j < r; j++) memcpy(&x[j * columns + first], &turned[j * width], width * sizeof *turned);
-        } else {
-#pragma omp critical(pdmc_reduced_order)
-            status = PDMC_ERR_NOMEM;
-        }
-        pdmc_free(turned);
-    }
-    return status;
-}
-
 // Q A Q' of one term in packed form. whole, half: scratch, [r, r]
 static void turn_matrix(int r, const double direction[], double packed[], double whole[], double half[])
 {
@@ -61,27 +39,54 @@ static void turn_matrix(int r, const double direction[], double packed[], double
         memcpy(&packed[pdmc_triangle_column((size_t)j)], &whole[j * r], (size_t)(j + 1) * sizeof *packed);
 }
 
-// The matrix of the mean stays the identity.
-static pdmc_status turn_system(const pdmc_reduced_builder *b, const double direction[])
+// The term's part of the system; the matrix of the mean stays the identity.
+static pdmc_status turn_term(const pdmc_reduced_builder *b, size_t m)
 {
     pdmc_status status = PDMC_OK;
     pdmc_reduced_system *system = b->system;
     const int r = system->dimension;
-    double *whole = NULL, *half = NULL, *load = NULL;
-    PDMC_NEW(whole, (size_t)r * (size_t)r);
-    PDMC_NEW(half, (size_t)r * (size_t)r);
-    PDMC_NEW(load, r);
-    for (size_t m = 1; m <= (size_t)system->terms; m++)
-        turn_matrix(r, direction, &system->matrix[m * PDMC_REDUCED_TRIANGLE], whole, half);
-    for (size_t m = 0; m <= (size_t)system->terms; m++)
-        PDMC_TRY(turn(b, direction, PROBES, &system->probe_matrix[m * CAPACITY * PROBES]));
-    for (int k = 0; k < system->sides + system->added; k++) {
-        memcpy(load, &system->load[k * CAPACITY], (size_t)r * sizeof *load);
-        cblas_dgemv(CblasRowMajor, CblasNoTrans, r, r, 1.0, direction, r, load, 1, 0.0, &system->load[k * CAPACITY], 1);
-    }
+    const size_t products = (size_t)r * PROBES, square = (size_t)r * (size_t)r;
+    double *probes = &system->probe_matrix[m * CAPACITY * PROBES];
+    double *whole = NULL, *half = NULL;
+    PDMC_NEW(whole, square);
+    PDMC_NEW(half, square > products ? square : products);
+    if (m > 0) turn_matrix(r, b->direction, &system->matrix[m * PDMC_REDUCED_TRIANGLE], whole, half);
+    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, r, PROBES, r, 1.0, b->direction, r, probes, PROBES, 0.0,
+                half, PROBES);
+    memcpy(probes, half, products * sizeof *probes);
 done:
     pdmc_free(whole);
     pdmc_free(half);
+    return status;
+}
+
+static pdmc_status turn_terms(const pdmc_reduced_builder *b)
+{
+    pdmc_status status = PDMC_OK;
+#pragma omp parallel for schedule(dynamic) num_threads(b->threads)
+    for (size_t m = 0; m <= (size_t)b->system->terms; m++) {
+        const pdmc_status mine = turn_term(b, m);
+        if (mine != PDMC_OK) {
+#pragma omp critical(pdmc_reduced_order)
+            status = mine;
+        }
+    }
+    return status;
+}
+
+static pdmc_status turn_loads(const pdmc_reduced_builder *b)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_reduced_system *system = b->system;
+    const int r = system->dimension;
+    double *load = NULL;
+    PDMC_NEW(load, r);
+    for (int k = 0; k < system->sides + system->added; k++) {
+        memcpy(load, &system->load[k * CAPACITY], (size_t)r * sizeof *load);
+        cblas_dgemv(CblasRowMajor, CblasNoTrans, r, r, 1.0, b->direction, r, load, 1, 0.0, &system->load[k * CAPACITY],
+                    1);
+    }
+done:
     pdmc_free(load);
     return status;
 }
@@ -89,15 +94,25 @@ done:
 pdmc_status pdmc_reduced_order(pdmc_reduced_builder *b, const double y[])
 {
     pdmc_status status = PDMC_OK;
-    const size_t r = (size_t)b->system->dimension;
-    double *direction = NULL;
-    PDMC_NEW(direction, r * r);
-    PDMC_TRY(find_directions(b, y, direction));
-    PDMC_TRY(turn_system(b, direction));
-    PDMC_TRY(turn(b, direction, (size_t)b->n, b->basis));
-    PDMC_TRY(turn(b, direction, (size_t)b->n, b->image));
+    PDMC_TRY(find_directions(b, y, b->direction));
+    PDMC_TRY(turn_terms(b));
+    PDMC_TRY(turn_loads(b));
     b->system->is_ordered = true;
 done:
-    pdmc_free(direction);
+    return status;
+}
+
+pdmc_status pdmc_reduced_turn(const pdmc_reduced_builder *b, int rows, double x[])
+{
+    pdmc_status status = PDMC_OK;
+    const int r = b->system->dimension;
+    const size_t values = (size_t)rows * (size_t)r;
+    double *turned = NULL;
+    PDMC_NEW(turned, values);
+    if (rows > 0)
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, rows, r, r, 1.0, x, r, b->direction, r, 0.0, turned, r);
+    memcpy(x, turned, values * sizeof *x);
+done:
+    pdmc_free(turned);
     return status;
 }

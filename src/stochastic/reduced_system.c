@@ -114,19 +114,26 @@ static void assemble(const pdmc_reduced_system *system, int d, int count, const 
                 operators, system->probe_matrix, CAPACITY * PROBES, 0.0, work->probes, products);
 }
 
-// A^-1 f for all right-hand sides. False where A is not positive definite.
+// A^-1 f for all right-hand sides. False where A is not positive definite. From the last vector to the first, so that the
+// columns of the triangle are those of a lower one, whose factorisation takes two thirds of the time of an upper one's.
 static bool solve_one(const pdmc_reduced_system *system, int d, const double triangle[], const double share[],
                       workspace *work)
 {
-    for (int j = 0; j < d; j++)
-        memcpy(&work->factor[(size_t)j * (size_t)d], &triangle[pdmc_triangle_column((size_t)j)],
-               (size_t)(j + 1) * sizeof *triangle);
+    for (int j = 0; j < d; j++) {
+        double *last = &work->factor[(size_t)(d - 1 - j) * (size_t)d + (size_t)(d - 1)];
+        for (int i = 0; i <= j; i++) last[-i] = triangle[pdmc_triangle_column((size_t)j) + (size_t)i];
+    }
     for (int k = 0; k < system->sides; k++)
         memcpy(&work->answer[k * d], &system->load[k * CAPACITY], (size_t)d * sizeof *work->answer);
     for (int l = 0; l < system->added && share; l++)
         cblas_daxpy(d, share[l], &system->load[(system->sides + l) * CAPACITY], 1, work->answer, 1);
-    if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', d, work->factor, d) != 0) return false;
-    return LAPACKE_dpotrs_work(LAPACK_COL_MAJOR, 'U', d, system->sides, work->factor, d, work->answer, d) == 0;
+    if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'L', d, work->factor, d) != 0) return false;
+    for (int k = 0; k < system->sides; k++) {
+        cblas_dtrsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, d, work->factor, d, &work->answer[k * d],
+                    -1);
+        cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, d, work->factor, d, &work->answer[k * d], -1);
+    }
+    return true;
 }
 
 // |z' K(xi) V y - z' F| of every right-hand side.
@@ -195,17 +202,17 @@ pdmc_status pdmc_reduced_system_solve(const pdmc_reduced_system *system, const d
                                       double y[], double error[], double alpha[B])
 {
     pdmc_status status = PDMC_OK;
-    const int r = system->dimension, quarter = (r + 3) / 4;
+    const int r = system->dimension, eighth = (r + 7) / 8;
     int sample[B], left = B;
     workspace work;
     PDMC_TRY(workspace_create(system, &work));
     PDMC_TRY(find_coercivity(system, xi, alpha));
     for (int s = 0; s < B; s++) sample[s] = s;
-    for (int part = system->is_ordered ? 2 : 4; part <= 4 && left > 0; part++) {
-        const int d = part * quarter < r ? part * quarter : r;
+    for (int part = system->is_ordered ? 3 : 8; part <= 8 && left > 0; part++) {
+        const int d = part * eighth < r ? part * eighth : r;
         for (int first = 0; first < left; first += PANEL)
-            solve_panel(system, d, left - first < PANEL ? left - first : PANEL, &sample[first], xi, share, alpha, &work, y,
-                        error);
+            solve_panel(system, d, left - first < PANEL ? left - first : PANEL, &sample[first], xi, share, alpha, &work,
+                        y, error);
         left = keep_unmet(system, error, left, sample);
     }
 done:

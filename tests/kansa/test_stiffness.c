@@ -76,7 +76,7 @@ static void the_mean_operator_is_the_identity(void **state)
     cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, B, B, n, 1.0, y, n, y, n, 0.0, gram, B);
     assert_int_equal(LAPACKE_dsyev(LAPACK_COL_MAJOR, 'N', 'L', B, gram, B, eigenvalue), 0);
     assert_true(eigenvalue[B - 3] > 0.1 && eigenvalue[B - 4] < 1e-10);
-    CHECK_OK(model.verbs->precondition(&model, x, y));
+    CHECK_OK(model.verbs->precondition(&model, B, x, y));
     for (size_t i = 0; i < values; i++) assert_true(y[i] == x[i]);
     free(xi);
     free(x);

@@ -177,9 +177,9 @@ static void noise_has_the_variance_of_the_double_integral(void **state)
         intensities_of(model, l, K);
         sum += K[0] * K[0];
     }
-    double *row = pdmc_calloc((size_t)(B * n), sizeof *row), *adjoint = pdmc_calloc((size_t)(B * n), sizeof *row);
+    double *row = pdmc_calloc((size_t)n, sizeof *row), *adjoint = pdmc_calloc((size_t)n, sizeof *row);
     memcpy(row, model->stress_intensity, (size_t)n * sizeof *row);
-    CHECK_OK(model->verbs->precondition(model, row, adjoint));
+    CHECK_OK(model->verbs->precondition(model, 1, row, adjoint));
     const double spacing = p.problem.solver.spacing, length = p.uncertainties[0].covariance.length;
     for (int i = 0; i < columns; i++)
         for (int j = 0; j < columns; j++) {

@@ -53,11 +53,11 @@ static void solve_one(const double xi[], const double f[], double x[])
     assert_int_equal(LAPACKE_dgesv(LAPACK_COL_MAJOR, N, 1, K, N, pivot, x, N), 0);
 }
 
-static pdmc_status precondition(const pdmc_affine *model, const double r[], double z[])
+static pdmc_status precondition(const pdmc_affine *model, int count, const double r[], double z[])
 {
     (void)model;
     const double none[TERMS] = {0.0, 0.0};
-    for (int s = 0; s < PDMC_BLOCK; s++) solve_one(none, &r[s * N], &z[s * N]);
+    for (int s = 0; s < count; s++) solve_one(none, &r[s * N], &z[s * N]);
     return PDMC_OK;
 }
 
@@ -74,7 +74,7 @@ static void make_block(void)
         xi[s * TERMS + 1] = 0.5 * cos(3.0 * s);
         for (int k = 0; k < N; k++) f[s * N + k] = k > 0 && s + 1 < PDMC_BLOCK ? sin(0.7 * k + s) : 0.0;
     }
-    assert_int_equal(precondition(&chain, f, x), PDMC_OK);
+    assert_int_equal(precondition(&chain, PDMC_BLOCK, f, x), PDMC_OK);
 }
 
 // An error of 1e-10 in the energy norm, relative to the load's, at a smallest eigenvalue of 0.5 of the preconditioned
