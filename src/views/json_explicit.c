@@ -71,6 +71,7 @@ static json_t *last(const pdmc_explicit_record *p)
     json_t *object = json_object();
     if (i < 0) return object;
     pdmc_json_put(&object, "time", pdmc_json_number(p->time[i]));
+    pdmc_json_put(&object, "fracture", pdmc_json_number(p->fracture[i]));
     pdmc_json_put(&object, "mean_damage", pdmc_json_number(p->mean_damage[i]));
     pdmc_json_put(&object, "broken", pdmc_json_number(p->broken[i]));
     pdmc_json_put(&object, "fragments", pdmc_json_number(p->fragments[i]));
