@@ -6,10 +6,11 @@
 /// contact, and rigid spheres. All quantities in one consistent set of units; in two dimensions z is zero everywhere, a
 /// node's volume is spacing^2 thickness.
 
+#include "pdmc/distribution.h"
 #include "pdmc/dynamics.h"
 #include "pdmc/problem.h"
 
-enum { PDMC_AXES = 3 };
+enum { PDMC_AXES = 3, PDMC_STRENGTH_CLASSES = 1024 };
 
 /// How a material resists: c and s_0 of its bonds. Bonds do not fail in compression.
 typedef struct {
@@ -18,6 +19,8 @@ typedef struct {
     double micromodulus; // c, force / length^6 (the same unit in two dimensions, where the volume has the thickness)
     double critical_stretch; // s_00; infinite: bonds never break
     double strengthening;    // alpha: s_0 = s_00 - alpha s_min, s_min the least stretch of all bonds of a node (eq. 28)
+    const double
+        *strengths; // [PDMC_STRENGTH_CLASSES] factors of s_0, each as likely for a bond as the others; NULL: all 1
 } pdmc_brittle_material;
 
 /// How much of a neighbour's volume counts where the horizon's edge may cut it: all if its node is inside; a share that falls
@@ -85,6 +88,7 @@ typedef struct {
     double offset[PDMC_AXES];
     double thickness; // in two dimensions
     double horizon;
+    bool linear_stretch; // s = eta . xi / |xi|^2, along the bond as it was, and the force too: for small motions
     pdmc_volume_rule volume_rule;
     double
         contact_distance; // d_c over spacing: nodes repel each other below min(0.9 of their first distance, d_c); 0: never
@@ -95,7 +99,11 @@ typedef struct {
     const pdmc_planar_crack *cracks;
     const pdmc_layer_condition *conditions;
     const pdmc_rigid_sphere *spheres;
-    double damping; // C of a force -C v on a unit of volume (Yu 2011, eq. 3.63)
+    int factor_count;                // of nodes, in their order, where there are factors:
+    const double *stiffness_factors; // [factor_count] of c, > 0; that of a bond is the mean of its nodes'; NULL: all 1
+    const double *strength_factors;  // [factor_count] of s_00, > 0; a bond has the s_0 of the weaker node; NULL: all 1
+    uint64_t seed, sample;           // of the bonds' own strengths: counter based, in the stream PDMC_STREAM_BONDS
+    double damping;                  // C of a force -C v on a unit of volume (Yu 2011, eq. 3.63)
     double
         bond_damping; // c_v of a bond's force c (s + c_v ds), ds the rate by which its ends part (eq. 3.64, along the bond)
     double step;      // of time; 0: `safety` times the stable one
@@ -129,6 +137,13 @@ PDMC_API double pdmc_brittle_micromodulus(int dimension, pdmc_assumption assumpt
 /// s_0 from the fracture energy: sqrt(10 G_0 / (pi c horizon^5)) (eq. 27), in two dimensions sqrt(4 G_0 / (c t horizon^4)).
 PDMC_API double pdmc_brittle_critical_stretch(int dimension, double fracture_energy, double micromodulus,
                                               double horizon, double thickness);
+
+/// Factors of the strengths of single bonds: the quantiles of a distribution at (k + 1/2) / PDMC_STRENGTH_CLASSES. A bond draws
+/// one of them by a hash of its nodes, the seed and the sample, so that nothing of it is kept in memory.
+/// @param[in]  distribution  of positive quantities, see pdmc/distribution.h; its mean should be 1
+/// @param[out] strengths     [PDMC_STRENGTH_CLASSES] ascending
+/// @return PDMC_OK, or PDMC_ERR_ARG where it is no distribution or the least factor is not > 0
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_brittle_strengths(const pdmc_distribution *distribution, double strengths[]);
 
 /// Places the nodes, cuts the cracks, and starts at time 0.
 /// @param[out] particles  to be destroyed by the caller; NULL on failure

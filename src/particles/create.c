@@ -46,12 +46,10 @@ static pdmc_status copy_materials(const pdmc_particles_options *o, pdmc_particle
     p->material_count = o->material_count;
     PDMC_NEW(p->density, o->material_count);
     PDMC_NEW(p->laws, o->material_count);
-    PDMC_NEW(p->unbreakable, o->material_count);
     for (int m = 0; m < o->material_count; m++) {
         const pdmc_brittle_material *material = &o->materials[m];
         p->density[m] = material->density;
-        p->laws[m] = (pdmc_bond_law){material->micromodulus, material->critical_stretch, material->strengthening};
-        p->unbreakable[m] = (pdmc_bond_law){material->micromodulus, INFINITY, 0.0};
+        p->laws[m] = (pdmc_bond_law){material->micromodulus, material->critical_stretch, material->strengthening, NULL};
     }
 done:
     return status;
@@ -67,8 +65,8 @@ static pdmc_status make_room(const pdmc_particles_options *o, pdmc_particles *p)
         PDMC_NEW(p->force[a], cells);
         memcpy(p->position[a], p->nodes.reference[a], cells * sizeof(double));
     }
-    PDMC_NEW(p->limit, cells);
-    PDMC_NEW(p->next_limit, cells);
+    PDMC_NEW(p->strength, cells);
+    PDMC_NEW(p->next_strength, cells);
     PDMC_NEW(p->fracture, blocks);
     PDMC_NEW(p->elastic, blocks);
     PDMC_NEW(p->contact_energy, blocks);
@@ -85,11 +83,11 @@ static void start_nodes(const pdmc_particles_options *o, pdmc_particles *p)
 {
     for (int b = 0; b < p->nodes.block_count; b++) {
         const pdmc_block *block = &p->nodes.blocks[b];
-        const double limit = 1.0 / (1.0 + o->materials[block->material].critical_stretch);
+        const double *first = p->variation.first_strength;
         for (unsigned left = block->nodes; left; left &= left - 1) {
             const size_t c = block->cell + (size_t)__builtin_ctz(left);
             for (int a = 0; a < o->dimension; a++) p->velocity[a][c] = o->bodies[block->body].velocity[a];
-            p->limit[c] = p->next_limit[c] = limit;
+            p->strength[c] = p->next_strength[c] = first ? first[c] : p->laws[block->material].critical_stretch;
         }
     }
 }
@@ -115,12 +113,13 @@ static pdmc_status find_isolated(const pdmc_nodes *g)
     return PDMC_OK;
 }
 
-/// Of a whole family, than which no other is stiffer: sqrt(2 rho / sum_p V_p c / |xi|) without the damping of bonds.
+/// The least of all nodes: sqrt(2 rho / sum_p V_p c / |xi|) without the damping of bonds.
 static double stable_step(const pdmc_particles *p, double bond_damping)
 {
-    const double stiffness = p->nodes.stiffest, weight = p->nodes.heaviest;
+    const double weight = p->nodes.heaviest;
     double least = INFINITY;
     for (int m = 0; m < p->material_count; m++) {
+        const double stiffness = pdmc_variation_stiffest(&p->variation, &p->nodes, m);
         const double by_density = 2.0 * p->laws[m].micromodulus / p->density[m];
         least = fmin(least,
                      pdmc_damping_stable_step(2.0 / sqrt(by_density * stiffness), by_density * bond_damping * weight));
@@ -140,8 +139,10 @@ static pdmc_status create(const pdmc_particles_options *o, pdmc_particles *p)
 {
     pdmc_status status = PDMC_OK;
     p->threads = o->threads;
+    p->linear = o->linear_stretch;
     PDMC_TRY(copy_materials(o, p));
     PDMC_TRY(pdmc_lattice_create(o, &p->nodes));
+    PDMC_TRY(pdmc_variation_create(o, &p->nodes, p->laws, &p->variation));
     PDMC_TRY(choose_step(o, p));
     PDMC_TRY(make_room(o, p));
     PDMC_TRY(pdmc_nodes_cut(&p->nodes, o->crack_count, o->cracks));
@@ -185,15 +186,16 @@ void pdmc_particles_destroy(pdmc_particles *p)
     pdmc_nodes_clear(&p->nodes);
     pdmc_contact_clear(&p->contact);
     pdmc_damping_clear(&p->damping);
+    pdmc_variation_clear(&p->variation);
     for (int k = 0; k < p->layer_count; k++) pdmc_layer_clear(&p->layers[k]);
     for (int a = 0; a < PDMC_AXES; a++) {
         pdmc_free(p->position[a]);
         pdmc_free(p->velocity[a]);
         pdmc_free(p->force[a]);
     }
-    void *const others[] = {p->density,  p->laws,         p->unbreakable,    p->limit, p->next_limit,
-                            p->fracture, p->elastic,      p->contact_energy, p->share, p->layers,
-                            p->spheres,  p->sphere_force, p->sphere_energy};
+    void *const others[] = {p->density,  p->laws,    p->strength,       p->next_strength,
+                            p->fracture, p->elastic, p->contact_energy, p->share,
+                            p->layers,   p->spheres, p->sphere_force,   p->sphere_energy};
     for (size_t k = 0; k < sizeof others / sizeof *others; k++) pdmc_free(others[k]);
     pdmc_free(p);
 }

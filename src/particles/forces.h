@@ -6,11 +6,13 @@
 /// A node sums its own bonds, in the order of the neighbours: nothing is scattered, so that no result depends on threads, and
 /// both directions of a bond are computed from the same numbers and agree to the bit.
 
+#include "particles/hash.h"
 #include "particles/nodes.h"
 
 /// A material as the kernels want it.
 typedef struct {
     double micromodulus, critical_stretch, strengthening;
+    const double *strengths; // [PDMC_STRENGTH_CLASSES] factors of s_0, by the hash of a bond; NULL: all 1
 } pdmc_bond_law;
 
 typedef struct {
@@ -18,9 +20,14 @@ typedef struct {
     const pdmc_bond_law *laws;         // [materials]
     double repulsion;                  // force / length^7: of two nodes, by distance and by both nodes' volumes
     bool energies;                     // whether elastic and contact are wanted, instead of the forces
+    bool linear;                       // whether the stretch is that along the reference direction
+    bool by_node;                      // whether s_0 differs between nodes for another reason than strengthening
     const double *position[PDMC_AXES]; // [cells]
-    const double *limit;               // [cells] 1 / (1 + s_0)
-    double *next_limit;                // [cells] of the next step
+    const double *stiffness;           // [cells] factors of c, whose mean of two nodes is that of their bond; NULL: 1
+    const double *first_strength;      // [cells] s_0 without strengthening; NULL: that of the laws
+    const double *strength;            // [cells] s_0, of which the less of two nodes is that of their bond
+    double *next_strength;             // [cells] of the next step, written where there is strengthening
+    pdmc_hash_key key;                 // of the strengths of single bonds
     double *force[PDMC_AXES];          // [cells] on a unit of volume
     double *fracture; // [blocks] to which the energies of bonds that break are added: a half for each direction
     double *elastic, *contact; // [blocks]

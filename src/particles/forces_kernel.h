@@ -8,12 +8,17 @@
 
 #include "particles/forces.h"
 
+#include <math.h>
+
 // In line whatever the compiler thinks of it, with the kind of bonds a constant.
 #define INLINE static inline __attribute__((always_inline))
 
+/// Versions of the kernel for what is simple, so that it costs nothing else.
 typedef struct {
-    bool strengthens; // whether s_0 changes
-    bool scattered;   // whether the nodes are off the grid
+    bool scattered; // the nodes are off the grid
+    bool linear;    // the stretch is that along the reference direction
+    bool by_node;   // s_0 differs from node to node
+    bool varied;    // c or s_0 differ from bond to bond
 } bond_kind;
 
 typedef struct {
@@ -21,15 +26,17 @@ typedef struct {
     const pdmc_block *block;
     const pdmc_bond_law *law;
     bond_kind kind;
-    lanes position[PDMC_AXES], reference[PDMC_AXES], limit;
+    lanes position[PDMC_AXES], reference[PDMC_AXES];
+    lanes strength; // s_0
+    lanes enough;   // a bond breaks whose reserve is below
 } place;
 
 /// Of a block's nodes, at micromodulus 1 and a unit of volume.
 typedef struct {
     lanes force[PDMC_AXES];
-    lanes shortest; // max |xi| / p over the bonds
-    lanes closest;  // ... over all neighbours
-    lanes weakest;  // min |xi| / p - 1 / (1 + s_0) over the bonds: negative where one of them breaks
+    lanes shortest; // max |xi| / p over the bonds, or -s where that is linear
+    lanes closest;  // max |xi| / p over all neighbours
+    lanes weakest;  // the least reserve of the bonds
 } sums;
 
 /// The pairs of a block's nodes with an entry of its list: what both directions of a bond have in common, and the volume of
@@ -42,7 +49,13 @@ typedef struct {
     lanes minus_weight;           // - volume of the neighbour that counts
     lanes stiffness;              // weight / |xi|, on a grid only
     lanes touching;               // 1 / distance below which they repel each other
+    lanes slope[PDMC_AXES];       // xi / |xi|^2, of linear stretch only
 } pairs;
+
+INLINE bool is_uniform(bond_kind kind)
+{
+    return !kind.linear && !kind.by_node && !kind.varied;
+}
 
 INLINE place place_of(const pdmc_forces *f, int b, bond_kind kind)
 {
@@ -52,7 +65,8 @@ INLINE place place_of(const pdmc_forces *f, int b, bond_kind kind)
         at.position[a] = load(&f->position[a][at.block->cell]);
         if (kind.scattered) at.reference[a] = load(&f->nodes->reference[a][at.block->cell]);
     }
-    at.limit = kind.strengthens ? load(&f->limit[at.block->cell]) : lanes_of(1.0 / (1.0 + at.law->critical_stretch));
+    at.strength = kind.by_node ? load(&f->strength[at.block->cell]) : lanes_of(at.law->critical_stretch);
+    at.enough = lanes_of(kind.linear ? 0.0 : is_uniform(kind) ? 1.0 / (1.0 + at.law->critical_stretch) : 1.0);
     return at;
 }
 
@@ -77,6 +91,7 @@ INLINE void add_grid(const place *at, int k, pairs *p)
     p->minus_weight = lanes_of(-n->weight);
     p->stiffness = lanes_of(n->stiffness);
     p->touching = lanes_of(n->touching);
+    for (int a = 0; a < PDMC_AXES && at->kind.linear; a++) p->slope[a] = lanes_of(n->slope[a]);
 }
 
 /// What does not change of the pairs with one node. A node has no |xi| to itself, nor is it near.
@@ -94,6 +109,8 @@ INLINE void add_scattered(const place *at, int k, pairs *p)
     p->minus_weight = multiply(lanes_of(g->volume[p->cell]), greatest(lanes_of(-1.0), falling));
     const lanes first = multiply(lanes_of(1.0 / PDMC_TOUCHING_SHARE), p->inverse_length);
     p->touching = greatest(first, lanes_of(1.0 / g->contact_distance));
+    for (int a = 0; a < PDMC_AXES && at->kind.linear; a++)
+        p->slope[a] = multiply(multiply(p->inverse_length, p->inverse_length), xi[a]);
 }
 
 INLINE pairs pairs_of(const place *at, int k)
@@ -107,36 +124,90 @@ INLINE pairs pairs_of(const place *at, int k)
     return p;
 }
 
-INLINE lanes limit_of(const place *at, const pairs *p)
+/// |xi| / p = 1 / (1 + s)
+INLINE lanes ratio_of(const pairs *p)
 {
-    return at->kind.strengthens ? greatest(at->limit, of_neighbours(at, at->forces->limit, p->cell)) : at->limit;
+    return multiply(p->length, p->inverse_distance);
 }
 
-/// Weight times s / p.
+/// eta . xi / |xi|^2 = (xi + eta) . xi / |xi|^2 - 1
+INLINE lanes linear_stretch(const pairs *p)
+{
+    lanes s = lanes_of(-1.0);
+    for (int a = 0; a < PDMC_AXES; a++) s = multiply_add(p->slope[a], p->apart[a], s);
+    return s;
+}
+
+INLINE lanes stretch_of(const place *at, const pairs *p)
+{
+    if (at->kind.linear) return linear_stretch(p);
+    return subtract(divide(lanes_of(1.0), ratio_of(p)), lanes_of(1.0));
+}
+
+/// c of the bonds over that of their law.
+INLINE lanes stiffness_of(const place *at, const pairs *p)
+{
+    const double *factor = at->forces->stiffness;
+    if (!factor) return lanes_of(1.0);
+    return multiply(lanes_of(0.5), add(load(&factor[at->block->cell]), of_neighbours(at, factor, p->cell)));
+}
+
+/// The factors of single bonds.
+INLINE lanes drawn_strength(const place *at, const pairs *p)
+{
+    return draw(at->law->strengths, &at->forces->key, (uint32_t)at->block->cell, (uint32_t)p->cell, at->kind.scattered);
+}
+
+/// s_0 of the bonds.
+INLINE lanes strength_of(const place *at, const pairs *p)
+{
+    lanes s_0 = at->strength;
+    if (at->kind.by_node) s_0 = least(s_0, of_neighbours(at, at->forces->strength, p->cell));
+    if (at->kind.varied && at->law->strengths) s_0 = multiply(s_0, drawn_strength(at, p));
+    return s_0;
+}
+
+/// What falls below place.enough where a bond is stretched beyond s_0: 1 / (1 + s); s_0 - s; or (1 + s_0) / (1 + s).
+INLINE lanes reserve_of(const place *at, const pairs *p)
+{
+    const lanes ratio = ratio_of(p);
+    if (is_uniform(at->kind)) return ratio;
+    const lanes s_0 = strength_of(at, p);
+    return at->kind.linear ? subtract(s_0, linear_stretch(p)) : multiply_add(ratio, s_0, ratio);
+}
+
+/// Weight times s / p, or weight times s |xi| where that is linear, and the slope what it is multiplied with.
 INLINE lanes pull_of(const place *at, const pairs *p)
 {
-    if (at->kind.scattered) return multiply(p->minus_weight, subtract(p->inverse_distance, p->inverse_length));
-    return multiply_add(p->minus_weight, p->inverse_distance, p->stiffness);
+    lanes pull;
+    if (at->kind.linear)
+        pull = multiply(multiply(p->minus_weight, p->length), subtract(lanes_of(0.0), linear_stretch(p)));
+    else if (at->kind.scattered) pull = multiply(p->minus_weight, subtract(p->inverse_distance, p->inverse_length));
+    else pull = multiply_add(p->minus_weight, p->inverse_distance, p->stiffness);
+    return at->kind.varied ? multiply(pull, stiffness_of(at, p)) : pull;
 }
 
 /// There is no branch in here: whether a bond breaks or nodes touch is asked once a block.
 INLINE void add_neighbour(const place *at, int k, uint8_t bonds, sums *s)
 {
     const pairs p = pairs_of(at, k);
-    const lanes pull = pull_of(at, &p);
-    const lanes ratio = multiply(p.length, p.inverse_distance); // 1 / (1 + s)
-    for (int a = 0; a < PDMC_AXES; a++) s->force[a] = multiply_add_where(bonds, pull, p.apart[a], s->force[a]);
-    s->weakest = least_where(bonds, s->weakest, subtract(ratio, limit_of(at, &p)));
+    const lanes pull = pull_of(at, &p), ratio = ratio_of(&p);
+    const lanes *along = at->kind.linear ? p.slope : p.apart;
+    for (int a = 0; a < PDMC_AXES; a++) s->force[a] = multiply_add_where(bonds, pull, along[a], s->force[a]);
+    s->weakest = least_where(bonds, s->weakest, reserve_of(at, &p));
     s->closest = at->kind.scattered ? greatest_where(p.near, s->closest, ratio) : greatest(s->closest, ratio);
-    if (at->kind.strengthens) s->shortest = greatest_where(bonds, s->shortest, ratio);
+    if (!at->kind.by_node) return;
+    s->shortest =
+        greatest_where(bonds, s->shortest, at->kind.linear ? subtract(lanes_of(0.0), linear_stretch(&p)) : ratio);
 }
 
 /// |xi| V_p V_x s^2 / 4, summed over some of the pairs.
-INLINE double energy_of(const place *at, const pairs *p, uint8_t counted, lanes stretch)
+INLINE double energy_of(const place *at, const pairs *p, uint8_t counted)
 {
-    const lanes volume = load(&at->forces->nodes->volume[at->block->cell]);
+    const lanes volume = load(&at->forces->nodes->volume[at->block->cell]), stretch = stretch_of(at, p);
     const lanes volumes = multiply(volume, multiply(p->length, p->minus_weight));
-    return -0.25 * sum_where(counted, multiply(volumes, multiply(stretch, stretch)));
+    const lanes stiffness = multiply(volumes, stiffness_of(at, p));
+    return -0.25 * sum_where(counted, multiply(stiffness, multiply(stretch, stretch)));
 }
 
 /// Breaks the bonds that are stretched too far. @return a half of c s^2 |xi| / 2 of every one of them
@@ -147,10 +218,9 @@ static __attribute__((noinline)) double break_bonds(const pdmc_forces *f, int b,
     for (int k = 0; k < at.block->listed; k++) {
         uint8_t *bonds = &f->nodes->bonds[at.block->bonds + (size_t)k];
         const pairs p = pairs_of(&at, k);
-        const lanes ratio = multiply(p.length, p.inverse_distance);
-        const uint8_t broken = *bonds & less(ratio, limit_of(&at, &p));
+        const uint8_t broken = *bonds & less(reserve_of(&at, &p), at.enough);
         if (broken == 0) continue;
-        energy += energy_of(&at, &p, broken, subtract(divide(lanes_of(1.0), ratio), lanes_of(1.0)));
+        energy += energy_of(&at, &p, broken);
         *bonds &= (uint8_t)~broken;
     }
     return energy * at.law->micromodulus;
@@ -180,40 +250,39 @@ static __attribute__((noinline)) double repel(const pdmc_forces *f, int b, bond_
     return energy;
 }
 
-INLINE void store(const place *at, const sums *s)
+/// s_0 of the next step, by the least stretch of a node's bonds.
+INLINE void strengthen(const place *at, const sums *s)
 {
     const pdmc_forces *f = at->forces;
-    const lanes one = lanes_of(1.0), micromodulus = lanes_of(at->law->micromodulus);
-    for (int a = 0; a < PDMC_AXES; a++)
-        store_where(at->block->nodes, &f->force[a][at->block->cell], multiply(micromodulus, s->force[a]));
-    if (!at->kind.strengthens) return;
-    const lanes least_stretch = subtract(divide(one, s->shortest), one);
-    const lanes strength = multiply(lanes_of(-at->law->strengthening), least_stretch);
-    const lanes limit = divide(one, add(lanes_of(1.0 + at->law->critical_stretch), strength));
-    store_where(at->block->nodes, &f->next_limit[at->block->cell], limit);
+    const lanes one = lanes_of(1.0), law = lanes_of(at->law->critical_stretch);
+    const lanes first = f->first_strength ? load(&f->first_strength[at->block->cell]) : law;
+    const lanes least_stretch =
+        at->kind.linear ? subtract(lanes_of(0.0), s->shortest) : subtract(divide(one, s->shortest), one);
+    const lanes strength = multiply_add(lanes_of(-at->law->strengthening), least_stretch, first);
+    store_where(at->block->nodes, &f->next_strength[at->block->cell], strength);
 }
 
 INLINE void find_forces(const pdmc_forces *f, int b, bond_kind kind)
 {
     const place at = place_of(f, b, kind);
     const uint8_t *bonds = &f->nodes->bonds[at.block->bonds];
-    const lanes zero = lanes_of(0.0);
-    sums s = {.force = {zero, zero, zero}, .shortest = zero, .closest = zero, .weakest = lanes_of(1.0)};
+    const lanes zero = lanes_of(0.0), least = lanes_of(-INFINITY), micromodulus = lanes_of(at.law->micromodulus);
+    sums s = {.force = {zero, zero, zero}, .shortest = least, .closest = zero, .weakest = lanes_of(INFINITY)};
     for (int k = 0; k < at.block->listed; k++) add_neighbour(&at, k, bonds[k], &s);
-    store(&at, &s);
-    if (less(s.weakest, zero) & at.block->nodes) f->fracture[b] += break_bonds(f, b, kind);
+    for (int a = 0; a < PDMC_AXES; a++)
+        store_where(at.block->nodes, &f->force[a][at.block->cell], multiply(micromodulus, s.force[a]));
+    if (at.law->strengthening != 0.0) strengthen(&at, &s);
+    if (less(s.weakest, at.enough) & at.block->nodes) f->fracture[b] += break_bonds(f, b, kind);
     if (less(lanes_of(f->nodes->touching), s.closest) & at.block->nodes) repel(f, b, kind, false);
 }
 
 INLINE void find_energies(const pdmc_forces *f, int b, bond_kind kind)
 {
     const place at = place_of(f, b, kind);
-    const lanes one = lanes_of(1.0);
     double elastic = 0.0;
     for (int k = 0; k < at.block->listed; k++) {
         const pairs p = pairs_of(&at, k);
-        const lanes stretch = subtract(divide(one, multiply(p.length, p.inverse_distance)), one);
-        elastic += energy_of(&at, &p, f->nodes->bonds[at.block->bonds + (size_t)k], stretch);
+        elastic += energy_of(&at, &p, f->nodes->bonds[at.block->bonds + (size_t)k]);
     }
     f->elastic[b] = at.law->micromodulus * elastic;
     f->contact[b] = repel(f, b, kind, true);
@@ -225,14 +294,22 @@ INLINE void find(const pdmc_forces *f, int b, bond_kind kind)
     else find_forces(f, b, kind);
 }
 
+/// A constant kind for each version of the kernel.
+INLINE void find_of_kind(const pdmc_forces *f, int b, bool scattered)
+{
+    const pdmc_bond_law *law = &f->laws[f->nodes->blocks[b].material];
+    const bool by_node = f->by_node || law->strengthening != 0.0;
+    if (f->linear) find(f, b, (bond_kind){.scattered = scattered, .linear = true, .by_node = true, .varied = true});
+    else if (f->stiffness || law->strengths)
+        find(f, b, (bond_kind){.scattered = scattered, .by_node = true, .varied = true});
+    else if (by_node) find(f, b, (bond_kind){.scattered = scattered, .by_node = true});
+    else find(f, b, (bond_kind){.scattered = scattered});
+}
+
 void KERNEL(const pdmc_forces *f, int first, int last)
 {
-    const bool scattered = f->nodes->partner != NULL;
     for (int b = first; b < last; b++) {
-        const bool strengthens = f->laws[f->nodes->blocks[b].material].strengthening != 0.0;
-        if (scattered && strengthens) find(f, b, (bond_kind){true, true});
-        else if (scattered) find(f, b, (bond_kind){false, true});
-        else if (strengthens) find(f, b, (bond_kind){true, false});
-        else find(f, b, (bond_kind){false, false});
+        if (f->nodes->partner) find_of_kind(f, b, true);
+        else find_of_kind(f, b, false);
     }
 }

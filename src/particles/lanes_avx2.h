@@ -3,8 +3,7 @@
 
 /// Eight doubles at a time, by AVX2 and FMA.
 
-#include <immintrin.h>
-#include <stdint.h>
+#include "particles/hash_avx2.h"
 
 typedef struct {
     __m256d low, high;
@@ -42,6 +41,16 @@ static inline lanes multiply_add(lanes a, lanes b, lanes c)
 static inline lanes greatest(lanes a, lanes b)
 {
     return (lanes){_mm256_max_pd(a.low, b.low), _mm256_max_pd(a.high, b.high)};
+}
+static inline lanes least(lanes a, lanes b)
+{
+    return (lanes){_mm256_min_pd(a.low, b.low), _mm256_min_pd(a.high, b.high)};
+}
+static inline lanes draw(const double table[], const pdmc_hash_key *key, uint32_t cell, uint32_t other, bool one)
+{
+    const __m256i at = pdmc_hashes(key, cell, other, one);
+    return (lanes){_mm256_i32gather_pd(table, _mm256_castsi256_si128(at), sizeof *table),
+                   _mm256_i32gather_pd(table, _mm256_extracti128_si256(at, 1), sizeof *table)};
 }
 static inline uint8_t less(lanes a, lanes b)
 {

@@ -3,8 +3,7 @@
 
 /// Eight doubles at a time, by AVX-512 (F and DQ).
 
-#include <immintrin.h>
-#include <stdint.h>
+#include "particles/hash_avx2.h"
 
 typedef __m512d lanes;
 
@@ -39,6 +38,14 @@ static inline lanes multiply_add(lanes a, lanes b, lanes c)
 static inline lanes greatest(lanes a, lanes b)
 {
     return _mm512_max_pd(a, b);
+}
+static inline lanes least(lanes a, lanes b)
+{
+    return _mm512_min_pd(a, b);
+}
+static inline lanes draw(const double table[], const pdmc_hash_key *key, uint32_t cell, uint32_t other, bool one)
+{
+    return _mm512_i32gather_pd(pdmc_hashes(key, cell, other, one), table, sizeof *table);
 }
 static inline uint8_t less(lanes a, lanes b)
 {

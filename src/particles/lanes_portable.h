@@ -3,8 +3,9 @@
 
 /// Eight doubles at a time, in plain C.
 
+#include "particles/hash.h"
+
 #include <math.h>
-#include <stdint.h>
 
 typedef struct {
     double at[8];
@@ -46,6 +47,19 @@ static inline lanes multiply_add(lanes a, lanes b, lanes c)
 static inline lanes greatest(lanes a, lanes b)
 {
     EACH(a.at[k] > b.at[k] ? a.at[k] : b.at[k]);
+}
+static inline lanes least(lanes a, lanes b)
+{
+    EACH(a.at[k] < b.at[k] ? a.at[k] : b.at[k]);
+}
+static inline uint32_t drawn(const pdmc_hash_key *key, uint32_t i, uint32_t j)
+{
+    return i < j ? pdmc_hash(i, j, key) : pdmc_hash(j, i, key);
+}
+/// The entries of a table that fall to the pairs cell, cell + 1, ... with other, other + 1, ..., or with one other.
+static inline lanes draw(const double table[], const pdmc_hash_key *key, uint32_t cell, uint32_t other, bool one)
+{
+    EACH(table[drawn(key, cell + (uint32_t)k, one ? other : other + (uint32_t)k)]);
 }
 static inline lanes inverse_root(lanes a)
 {

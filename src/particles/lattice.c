@@ -100,6 +100,7 @@ static pdmc_status find_neighbours(double volume, pdmc_nodes *g)
                     .weight = weight,
                     .length = length,
                     .stiffness = weight / length,
+                    .slope = {h * x / (length * length), h * y / (length * length), h * z / (length * length)},
                     .touching = touching,
                 };
             }

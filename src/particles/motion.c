@@ -22,8 +22,13 @@ static pdmc_forces forces_of(const pdmc_particles *p)
     pdmc_forces forces = {.nodes = &p->nodes,
                           .laws = p->laws,
                           .repulsion = p->repulsion,
-                          .limit = p->limit,
-                          .next_limit = p->next_limit,
+                          .linear = p->linear,
+                          .by_node = p->variation.first_strength,
+                          .stiffness = p->variation.stiffness,
+                          .first_strength = p->variation.first_strength,
+                          .strength = p->strength,
+                          .next_strength = p->next_strength,
+                          .key = p->variation.key,
                           .fracture = p->fracture,
                           .elastic = p->elastic,
                           .contact = p->contact_energy};
@@ -37,7 +42,6 @@ static pdmc_forces forces_of(const pdmc_particles *p)
 void pdmc_particles_find_energies(const pdmc_particles *p)
 {
     pdmc_forces forces = forces_of(p);
-    forces.laws = p->unbreakable;
     forces.energies = true;
     run_kernel(p, &forces);
 }
@@ -54,9 +58,9 @@ static pdmc_status find_forces(pdmc_particles *p)
 {
     const pdmc_forces forces = forces_of(p);
     run_kernel(p, &forces);
-    double *limit = p->limit;
-    p->limit = p->next_limit;
-    p->next_limit = limit;
+    double *strength = p->strength;
+    p->strength = p->next_strength;
+    p->next_strength = strength;
     pdmc_status status = pdmc_contact_update(&p->contact, &p->nodes, p->position, p->threads);
     if (status != PDMC_OK) return status;
     pdmc_contact_add(&p->contact, &p->nodes, p->position, p->threads, p->force);

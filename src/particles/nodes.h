@@ -16,10 +16,11 @@ enum { PDMC_LANES = 8 };
 typedef struct {
     ptrdiff_t shift; // of the cell's index
     int step[PDMC_AXES];
-    double weight;    // volume of the neighbour that counts
-    double length;    // |xi|
-    double stiffness; // weight / |xi|
-    double touching;  // 1 / distance below which the two nodes repel each other; infinite: never
+    double weight;           // volume of the neighbour that counts
+    double length;           // |xi|
+    double stiffness;        // weight / |xi|
+    double slope[PDMC_AXES]; // xi / |xi|^2
+    double touching;         // 1 / distance below which the two nodes repel each other; infinite: never
 } pdmc_neighbour;
 
 /// Eight cells in a row, and the nodes of one body among them. Cells with nodes of two bodies are in two blocks.

@@ -7,17 +7,20 @@
 #include "particles/damping.h"
 #include "particles/forces.h"
 #include "particles/layers.h"
+#include "particles/variation.h"
 
 struct pdmc_particles {
     pdmc_nodes nodes;
     int threads, material_count;
-    double *density;                   // [materials]
-    pdmc_bond_law *laws, *unbreakable; // [materials]
+    bool linear;         // stretch
+    double *density;     // [materials]
+    pdmc_bond_law *laws; // [materials]
+    pdmc_variation variation;
     pdmc_forces_kernel *kernel;
     const char *kernel_name;
     double *position[PDMC_AXES], *force[PDMC_AXES]; // [cells] at the time
     double *velocity[PDMC_AXES];                    // [cells] half a step after it
-    double *limit, *next_limit;                     // [cells] 1 / (1 + s_0)
+    double *strength, *next_strength;               // [cells] s_0
     double *fracture, *elastic, *contact_energy;    // [blocks]
     double *share;                                  // [blocks, 4] room for sums
     double repulsion;

@@ -4,13 +4,22 @@
 #include "particles/bodies.h"
 #include "particles/lattice.h"
 
+/// How the bonds of the lattice differ.
+typedef struct {
+    double strengthening;
+    bool linear, factors, strengths;
+} variant;
+
 /// A lattice with arrays of its own, moved at random, some of its bonds stretched beyond what they bear.
 typedef struct {
+    variant kind;
     specimen s;
     pdmc_nodes nodes;
     pdmc_bond_law law;
     pdmc_forces forces;
-    double *position[PDMC_AXES], *force[PDMC_AXES], *limit, *next_limit, *fracture, *elastic, *contact;
+    double *position[PDMC_AXES], *force[PDMC_AXES], *strength, *next_strength, *stiffness, *fracture, *elastic,
+        *contact;
+    double strengths[PDMC_STRENGTH_CLASSES];
     uint8_t *bonds; // as they were
 } setting;
 
@@ -21,25 +30,42 @@ static double *zeros(size_t count)
     return p;
 }
 
-static void set_up(setting *t, double strengthening, double amplitude)
+static void make_strengths(setting *t)
+{
+    for (int k = 0; k < PDMC_STRENGTH_CLASSES; k++) t->strengths[k] = 0.5 + (k + 0.5) / PDMC_STRENGTH_CLASSES;
+    t->forces.key = (pdmc_hash_key){123456789u, 987654321u};
+    t->law.strengths = t->strengths;
+}
+
+static void set_up(setting *t, variant kind, double amplitude)
 {
     unsigned seed = 7;
+    *t = (setting){.kind = kind};
     make_box(&t->s, 3, (int[]){11, 9, 6});
     t->s.options.volume_rule = PDMC_VOLUME_TAPERED;
     t->s.options.contact_distance = 0.85;
     CHECK_OK(pdmc_lattice_create(&t->s.options, &t->nodes));
     const size_t cells = t->nodes.cells + PDMC_LANES, blocks = (size_t)t->nodes.block_count;
-    t->law = (pdmc_bond_law){2.0, 0.05, strengthening};
-    t->forces = (pdmc_forces){.nodes = &t->nodes, .laws = &t->law, .repulsion = 3.0};
+    t->law = (pdmc_bond_law){2.0, 0.05, kind.strengthening, NULL};
+    t->forces = (pdmc_forces){
+        .nodes = &t->nodes, .laws = &t->law, .repulsion = 3.0, .linear = kind.linear, .by_node = kind.factors};
     for (int a = 0; a < PDMC_AXES; a++) {
         t->forces.position[a] = t->position[a] = zeros(cells);
         t->forces.force[a] = t->force[a] = zeros(cells);
         memcpy(t->position[a], t->nodes.reference[a], cells * sizeof(double));
         for (int k = 0; k < t->nodes.node_count; k++) t->position[a][t->nodes.cell[k]] += amplitude * scatter(&seed);
     }
-    t->forces.limit = t->limit = zeros(cells);
-    t->forces.next_limit = t->next_limit = zeros(cells);
-    for (size_t c = 0; c < cells; c++) t->limit[c] = 1.0 / (1.05 + (strengthening > 0.0 ? 0.02 * scatter(&seed) : 0.0));
+    t->forces.strength = t->strength = zeros(cells);
+    t->forces.next_strength = t->next_strength = zeros(cells);
+    t->stiffness = zeros(cells);
+    const bool by_node = kind.strengthening > 0.0 || kind.factors;
+    for (size_t c = 0; c < cells; c++) {
+        t->strength[c] = 0.05 + (by_node ? 0.02 * scatter(&seed) : 0.0);
+        t->stiffness[c] = kind.factors ? 1.0 + 0.5 * scatter(&seed) : 1.0;
+    }
+    if (kind.factors) t->forces.stiffness = t->stiffness;
+    if (kind.factors) t->forces.first_strength = t->strength;
+    if (kind.strengths) make_strengths(t);
     t->forces.fracture = t->fracture = zeros(blocks);
     t->forces.elastic = t->elastic = zeros(blocks);
     t->forces.contact = t->contact = zeros(blocks);
@@ -53,8 +79,9 @@ static void tear_down(setting *t)
         pdmc_free(t->position[a]);
         pdmc_free(t->force[a]);
     }
-    pdmc_free(t->limit);
-    pdmc_free(t->next_limit);
+    pdmc_free(t->strength);
+    pdmc_free(t->next_strength);
+    pdmc_free(t->stiffness);
     pdmc_free(t->fracture);
     pdmc_free(t->elastic);
     pdmc_free(t->contact);
@@ -73,32 +100,44 @@ static double weight_of(double length)
     return fmin(1.0, 0.5 + 3.0 - length);
 }
 
+/// s_0 of a bond.
+static double bears(const setting *t, size_t i, size_t j)
+{
+    const double s_0 = fmin(t->strength[i], t->strength[j]);
+    if (!t->kind.strengths) return s_0;
+    return s_0 * t->strengths[pdmc_hash((uint32_t)(i < j ? i : j), (uint32_t)(i < j ? j : i), &t->forces.key)];
+}
+
 static expected node_by_definition(const setting *t, size_t i)
 {
     const pdmc_nodes *g = &t->nodes;
     expected e = {.least_stretch = INFINITY};
     for (int k = 0; k < g->node_count; k++) {
         const size_t j = g->cell[k];
-        double apart[PDMC_AXES], square = 0.0, first = 0.0;
+        double apart[PDMC_AXES], along[PDMC_AXES], square = 0.0, first = 0.0, slope = 0.0;
         for (int a = 0; a < PDMC_AXES; a++) {
             const double xi = g->reference[a][j] - g->reference[a][i];
             apart[a] = t->position[a][j] - t->position[a][i];
             square += apart[a] * apart[a];
             first += xi * xi;
+            slope += (apart[a] - xi) * xi;
+            along[a] = xi;
         }
         const double length = sqrt(first), distance = sqrt(square);
         if (i == j || length > 3.0) continue;
-        const double s = (distance - length) / length, depth = fmin(0.9 * length, 0.85) - distance;
-        const double energy = 0.25 * t->law.micromodulus * s * s * length * weight_of(length);
-        double pull = t->law.micromodulus * s * weight_of(length);
+        const double s = t->kind.linear ? slope / first : (distance - length) / length,
+                     depth = fmin(0.9 * length, 0.85) - distance;
+        const double c = t->law.micromodulus * 0.5 * (t->stiffness[i] + t->stiffness[j]) * weight_of(length);
+        const double energy = 0.25 * c * s * s * length;
         e.least_stretch = fmin(e.least_stretch, s);
-        const double s_0 = 1.0 / fmax(t->limit[i], t->limit[j]) - 1.0;
-        if (s > s_0) e.fracture += energy;
+        if (s > bears(t, i, j)) e.fracture += energy;
         else e.whole++;
         e.elastic += energy;
-        if (depth > 0.0)
-            pull -= t->forces.repulsion * depth, e.contact += 0.25 * t->forces.repulsion * depth * depth, e.touching++;
-        for (int a = 0; a < PDMC_AXES; a++) e.force[a] += pull * apart[a] / distance;
+        const double push = depth > 0.0 ? t->forces.repulsion * depth : 0.0;
+        if (depth > 0.0) e.contact += 0.25 * push * depth, e.touching++;
+        for (int a = 0; a < PDMC_AXES; a++)
+            e.force[a] +=
+                c * s * (t->kind.linear ? along[a] / length : apart[a] / distance) - push * apart[a] / distance;
     }
     return e;
 }
@@ -121,15 +160,16 @@ static void check_block(const setting *t, int b, double rounding)
         touching_pairs += e.touching;
         broken_bonds += t->nodes.family[c] - e.whole;
         if (t->law.strengthening > 0.0)
-            CHECK_NEAR(t->next_limit[c], 1.0 / (1.05 - t->law.strengthening * e.least_stretch), rounding);
+            CHECK_NEAR(t->next_strength[c],
+                       (t->kind.factors ? t->strength[c] : 0.05) - t->law.strengthening * e.least_stretch, rounding);
     }
     CHECK_NEAR(t->fracture[b], fracture, rounding);
 }
 
-static void check_kernel(pdmc_forces_kernel *kernel, double strengthening)
+static void check_kernel(pdmc_forces_kernel *kernel, variant kind)
 {
     setting t;
-    set_up(&t, strengthening, 0.15);
+    set_up(&t, kind, 0.15);
     kernel(&t.forces, 0, t.nodes.block_count);
     touching_pairs = broken_bonds = 0;
     // About 100 bonds of 0.2 to 1 a node, each to a few roundings of 1e-16 and its stretch to one of 1e-16 of 1 / |xi|.
@@ -138,11 +178,10 @@ static void check_kernel(pdmc_forces_kernel *kernel, double strengthening)
     tear_down(&t);
 }
 
-static void check_energies(pdmc_forces_kernel *kernel)
+static void check_energies(pdmc_forces_kernel *kernel, variant kind)
 {
     setting t;
-    set_up(&t, 0.0, 0.15);
-    t.law.critical_stretch = INFINITY;
+    set_up(&t, kind, 0.15);
     t.forces.energies = true;
     kernel(&t.forces, 0, t.nodes.block_count);
     for (int b = 0; b < t.nodes.block_count; b++) {
@@ -158,19 +197,21 @@ static void check_energies(pdmc_forces_kernel *kernel)
     tear_down(&t);
 }
 
-/// The sum of all forces, and of their moments, to rounding: both directions of a bond agree.
-static void check_balance(pdmc_forces_kernel *kernel)
+/// The sum of all forces, and of their moments, to rounding: both directions of a bond agree. Linear forces act along the
+/// bonds as they were.
+static void check_balance(pdmc_forces_kernel *kernel, variant kind)
 {
     setting t;
-    set_up(&t, 0.25, 0.15);
+    set_up(&t, kind, 0.15);
+    double sum[PDMC_AXES] = {0}, moment[PDMC_AXES] = {0}, *const *place = kind.linear ? t.nodes.reference : t.position;
+    if (kind.linear) t.forces.repulsion = 0.0;
     kernel(&t.forces, 0, t.nodes.block_count);
-    double sum[PDMC_AXES] = {0}, moment[PDMC_AXES] = {0};
     for (int k = 0; k < t.nodes.node_count; k++) {
         const size_t c = t.nodes.cell[k];
         for (int a = 0; a < PDMC_AXES; a++) {
             const int b = (a + 1) % 3, d = (a + 2) % 3;
             sum[a] += t.force[a][c];
-            moment[a] += t.position[b][c] * t.force[d][c] - t.position[d][c] * t.force[b][c];
+            moment[a] += place[b][c] * t.force[d][c] - place[d][c] * t.force[b][c];
         }
     }
     for (int a = 0; a < PDMC_AXES; a++) {
@@ -182,10 +223,20 @@ static void check_balance(pdmc_forces_kernel *kernel)
 
 static void check(pdmc_forces_kernel *kernel)
 {
-    check_kernel(kernel, 0.0);
-    check_kernel(kernel, 0.25);
-    check_energies(kernel);
-    check_balance(kernel);
+    static const variant kinds[] = {
+        {0},
+        {.strengthening = 0.25},
+        {.strengthening = 0.25, .factors = true, .strengths = true},
+        {.strengths = true},
+        {.factors = true},
+        {.linear = true},
+        {.linear = true, .strengthening = 0.25, .factors = true, .strengths = true},
+    };
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+        check_kernel(kernel, kinds[k]);
+        check_energies(kernel, kinds[k]);
+        check_balance(kernel, kinds[k]);
+    }
 }
 
 static void portable(void **state)

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particles/variation.h"
+
+#include "base/base_impl.h"
+#include "pdmc/random.h"
+
+#include <math.h>
+#include <string.h>
+
+pdmc_status pdmc_brittle_strengths(const pdmc_distribution *distribution, double strengths[])
+{
+    const pdmc_status status = pdmc_distribution_check(distribution);
+    if (status != PDMC_OK) return status;
+    for (int k = 0; k < PDMC_STRENGTH_CLASSES; k++) {
+        const double z = pdmc_normal_quantile((k + 0.5) / PDMC_STRENGTH_CLASSES);
+        strengths[k] = pdmc_distribution_value(distribution, z);
+    }
+    PDMC_REQUIRE(strengths[0] > 0.0, "the distribution of strengths: its least is %g, needs to be > 0", strengths[0]);
+    return PDMC_OK;
+}
+
+static pdmc_status check_factors(const pdmc_particles_options *o, const pdmc_nodes *g, const double factors[],
+                                 const char *name)
+{
+    PDMC_REQUIRE(!factors || o->factor_count == g->node_count, "%s: %d, there are %d nodes", name, o->factor_count,
+                 g->node_count);
+    for (int k = 0; factors && k < g->node_count; k++)
+        PDMC_REQUIRE(factors[k] > 0.0 && isfinite(factors[k]), "%s[%d]: %g, needs to be > 0", name, k, factors[k]);
+    return PDMC_OK;
+}
+
+/// Empty cells have 0, so that what is summed over neighbours counts nodes alone.
+static pdmc_status spread(const pdmc_nodes *g, const double factors[], double **cells)
+{
+    pdmc_status status = PDMC_OK;
+    if (!factors) return PDMC_OK;
+    PDMC_NEW(*cells, g->cells + PDMC_LANES);
+    for (int k = 0; k < g->node_count; k++) (*cells)[g->cell[k]] = factors[k];
+done:
+    return status;
+}
+
+static void multiply_by_laws(const pdmc_nodes *g, const pdmc_bond_law laws[], double first_strength[])
+{
+    for (int b = 0; first_strength && b < g->block_count; b++)
+        for (unsigned left = g->blocks[b].nodes; left; left &= left - 1)
+            first_strength[g->blocks[b].cell + (size_t)__builtin_ctz(left)] *=
+                laws[g->blocks[b].material].critical_stretch;
+}
+
+static pdmc_status copy_strengths(const pdmc_particles_options *o, pdmc_bond_law laws[], pdmc_variation *v)
+{
+    pdmc_status status = PDMC_OK;
+    bool any = false;
+    for (int m = 0; m < o->material_count; m++) any |= o->materials[m].strengths != NULL;
+    if (!any) return PDMC_OK;
+    PDMC_NEW(v->strengths, (size_t)PDMC_STRENGTH_CLASSES * (size_t)o->material_count);
+    for (int m = 0; m < o->material_count; m++) {
+        double *own = &v->strengths[(size_t)PDMC_STRENGTH_CLASSES * (size_t)m];
+        if (!o->materials[m].strengths) continue;
+        memcpy(own, o->materials[m].strengths, PDMC_STRENGTH_CLASSES * sizeof *own);
+        laws[m].strengths = own;
+    }
+done:
+    return status;
+}
+
+static pdmc_hash_key draw_key(const pdmc_particles_options *o)
+{
+    const double words = 4294967296.0; // 2^32
+    double u[2];
+    pdmc_random_uniform(o->seed, PDMC_STREAM_BONDS, o->sample, 0, 2, u);
+    return (pdmc_hash_key){(uint32_t)(u[0] * words), (uint32_t)(u[1] * words)};
+}
+
+pdmc_status pdmc_variation_create(const pdmc_particles_options *o, const pdmc_nodes *g, pdmc_bond_law laws[],
+                                  pdmc_variation *v)
+{
+    pdmc_status status = PDMC_OK;
+    PDMC_TRY(check_factors(o, g, o->stiffness_factors, "stiffness_factors"));
+    PDMC_TRY(check_factors(o, g, o->strength_factors, "strength_factors"));
+    PDMC_TRY(spread(g, o->stiffness_factors, &v->stiffness));
+    PDMC_TRY(spread(g, o->strength_factors, &v->first_strength));
+    multiply_by_laws(g, laws, v->first_strength);
+    PDMC_TRY(copy_strengths(o, laws, v));
+    v->key = draw_key(o);
+done:
+    return status;
+}
+
+void pdmc_variation_clear(pdmc_variation *v)
+{
+    pdmc_free(v->stiffness);
+    pdmc_free(v->first_strength);
+    pdmc_free(v->strengths);
+    *v = (pdmc_variation){0};
+}
+
+/// V_p a / |xi| of the bonds to a neighbour of the list, added to the sums of a block's nodes.
+static void add_neighbour(const pdmc_variation *v, const pdmc_nodes *g, const pdmc_block *block, int listed,
+                          double sum[])
+{
+    for (unsigned left = g->bonds[block->bonds + (size_t)listed]; left; left &= left - 1) {
+        const int k = __builtin_ctz(left);
+        const size_t i = block->cell + (size_t)k, j = pdmc_nodes_neighbour(g, block, listed, k);
+        sum[k] += 0.5 * (v->stiffness[i] + v->stiffness[j]) * pdmc_nodes_weight(g, i, j) / pdmc_nodes_length(g, i, j);
+    }
+}
+
+double pdmc_variation_stiffest(const pdmc_variation *v, const pdmc_nodes *g, int material)
+{
+    double most = 0.0;
+    if (!v->stiffness) return g->stiffest;
+    for (int b = 0; b < g->block_count; b++) {
+        double sum[PDMC_LANES] = {0.0};
+        if (g->blocks[b].material != material) continue;
+        for (int n = 0; n < g->blocks[b].listed; n++) add_neighbour(v, g, &g->blocks[b], n, sum);
+        for (int k = 0; k < PDMC_LANES; k++) most = fmax(most, sum[k]);
+    }
+    return most;
+}

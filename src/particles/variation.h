@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// How bonds of one law differ: by factors at their nodes, and by strengths of their own.
+
+#include "particles/forces.h"
+
+typedef struct {
+    double *stiffness;      // [cells] factors of c; NULL: all 1
+    double *first_strength; // [cells] s_00; NULL: those of the laws
+    double *strengths;      // [materials, PDMC_STRENGTH_CLASSES] to which the laws point; NULL: none has any
+    pdmc_hash_key key;      // of their hash
+} pdmc_variation;
+
+/// @param[in,out] laws       [materials] that get their strengths, which belong to the variation
+/// @param[out]    variation  clear with pdmc_variation_clear(), whatever is returned
+/// @return PDMC_OK; PDMC_ERR_ARG where factors are of another number of nodes, or not positive; PDMC_ERR_NOMEM
+PDMC_NODISCARD pdmc_status pdmc_variation_create(const pdmc_particles_options *options, const pdmc_nodes *nodes,
+                                                 pdmc_bond_law laws[], pdmc_variation *variation);
+void pdmc_variation_clear(pdmc_variation *variation);
+
+/// The sum of V_p a / |xi| over the bonds of a body's stiffest node, a the mean of both nodes' factors; without factors that
+/// of a whole family.
+double pdmc_variation_stiffest(const pdmc_variation *variation, const pdmc_nodes *nodes, int material);
