@@ -45,6 +45,7 @@ typedef struct {
     pdmc_explicit_condition *conditions;
     pdmc_explicit_sphere *spheres;
     double contact_distance, contact_stiffness;
+    double damping, bond_damping; // force time / length^4, time / length
     double duration;
     bool has_step; // otherwise `safety` times the stable one
     double step, safety;

@@ -200,5 +200,9 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_particles_find_fragments(const pdmc_par
 PDMC_API void pdmc_particles_fragments(const pdmc_particles *particles, const int of_node[], int count,
                                        pdmc_fragment fragments[]);
 
+/// The conditions as they are now: the whole force on the nodes, which is the reaction where the motion is prescribed, and
+/// the mean of the nodes' displacements. @param[out] force displacement  [condition_count, 3]
+PDMC_API void pdmc_particles_conditions(const pdmc_particles *particles, double force[], double displacement[]);
+
 /// The rigid spheres as they are now. @param[out] spheres  [sphere_count]
 PDMC_API void pdmc_particles_spheres(const pdmc_particles *particles, pdmc_rigid_sphere spheres[]);

@@ -163,8 +163,12 @@ typedef struct {
     char name[PDMC_LONG_NAME_SIZE];
 } pdmc_body_record;
 
-/// The motion of an explicit study: N records, T tips, S spheres, n nodes, K snapshots. Without errors of the second order
-/// in the step, kinetic + elastic + fracture + contact = first + work.
+typedef struct {
+    char name[PDMC_LONG_NAME_SIZE];
+} pdmc_condition_record;
+
+/// The motion of an explicit study: N records, T tips, S spheres, C conditions, n nodes, K snapshots. Without errors of the
+/// second order in the step, kinetic + elastic + fracture + contact + dissipated = first + work.
 typedef struct {
     int dimension;
     double spacing, horizon, step, stable_step, steps, bonds; // bonds: pairs at the start, without cracks
@@ -174,6 +178,7 @@ typedef struct {
 
     int record_count;                                                    // N
     double *time, *kinetic, *elastic, *contact, *fracture, *work;        // [N]
+    double *dissipated;                                                  // [N] by damping
     double *momentum;                                                    // [N, 3] force time
     double *mean_damage, *broken;                                        // [N] broken: bonds, as numbers of the file
     double *fragments, *loose_nodes;                                     // [N] pieces of two nodes or more; single nodes
@@ -186,6 +191,11 @@ typedef struct {
     int sphere_count;                                                    // S
     pdmc_sphere_record *spheres;                                         // [S]
     double *sphere_centre, *sphere_velocity;                             // [N, S, 3]
+
+    int condition_count;              // C
+    pdmc_condition_record *conditions; // [C]
+    double *condition_force;          // [N, C, 3] on all of its nodes
+    double *condition_displacement;   // [N, C, 3] mean of its nodes
 
     int body_count;
     pdmc_body_record *bodies; // [body_count]
@@ -291,6 +301,7 @@ typedef enum {
     PDMC_UNIT_VELOCITY,         // length / time
     PDMC_UNIT_MASS,             // force time^2 / length
     PDMC_UNIT_MOMENTUM,         // force time
+    PDMC_UNIT_FORCE,            // force
 } pdmc_unit;
 enum { PDMC_UNIT_SIZE = 160 }; // enough for any unit of a study whose own units have at most 64 characters
 

@@ -91,6 +91,18 @@ void pdmc_damping_add(const pdmc_damping *damping, const pdmc_motion_of_nodes *m
         for (int a = 0; a < PDMC_AXES; a++) force[a][g->cell[k]] += sign * damping->force[a][g->cell[k]];
 }
 
+void pdmc_damping_correct(const pdmc_damping *damping, size_t cell, int axis, double density, double step,
+                          double before, double after, double *force)
+{
+    if (damping->absolute == 0.0) return;
+    const double by_density = 0.5 * step / density;
+    const double factor = -damping->absolute / (1.0 + damping->absolute * by_density); // as in resist_nodes()
+    const double others = (*force - factor * before) / (1.0 + factor * by_density);
+    const double correct = others - damping->absolute * 0.5 * (before + after);
+    damping->force[axis][cell] += correct - *force;
+    *force = correct;
+}
+
 /// The power of a block's damping forces, at the velocities in the middle of a step.
 static double power_of(const pdmc_damping *damping, const pdmc_motion_of_nodes *m, const pdmc_block *block,
                        double *const force[PDMC_AXES], double step)

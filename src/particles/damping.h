@@ -40,6 +40,13 @@ void pdmc_damping_find(const pdmc_damping *damping, const pdmc_motion_of_nodes *
 void pdmc_damping_add(const pdmc_damping *damping, const pdmc_motion_of_nodes *motion, double sign,
                       double *const force[PDMC_AXES]);
 
+/// Puts the damping right where the motion is prescribed, after pdmc_damping_find() and pdmc_damping_add() for the middle of
+/// a step: what the node's own velocity is was not yet known there.
+/// @param[in]     before after  velocity half a step before and after the time
+/// @param[in,out] force         all forces on the node along the axis, damping included
+void pdmc_damping_correct(const pdmc_damping *damping, size_t cell, int axis, double density, double step,
+                          double before, double after, double *force);
+
 /// Counts what the damping forces take in a step. @param[in] force  [cells] of every axis: all of them, damping included
 void pdmc_damping_count(pdmc_damping *damping, const pdmc_motion_of_nodes *motion, double *const force[PDMC_AXES],
                         double step);

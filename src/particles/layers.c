@@ -112,6 +112,7 @@ double pdmc_layer_hold(pdmc_layer *layer, const pdmc_nodes *g, const pdmc_layer_
         for (int k = 0; layer->condition.along[a] && k < layer->count; k++) {
             const size_t c = layer->cell[k];
             const double before = m->velocity[a][c], after = velocity_after(layer, g, m, k, a, factor);
+            pdmc_damping_correct(m->damping, c, a, layer->density[k], m->step, before, after, &m->force[a][c]);
             const double acting = layer->density[k] / m->step * (after - before) - m->force[a][c];
             m->force[a][c] += acting;
             layer->exerted[a] += acting * g->volume[c];

@@ -3,7 +3,7 @@
 
 /// Layers of nodes in which forces or the motion are prescribed.
 
-#include "particles/nodes.h"
+#include "particles/damping.h"
 
 typedef struct {
     pdmc_layer_condition condition; // with a history of its own
@@ -20,6 +20,7 @@ typedef struct {
     const double *position[PDMC_AXES]; // [cells] at t
     const double *velocity[PDMC_AXES]; // [cells] at t - step / 2
     double *force[PDMC_AXES];          // [cells] at t, on a unit of volume
+    const pdmc_damping *damping;
 } pdmc_layer_motion;
 
 /// @param[in]  density  [materials] rho

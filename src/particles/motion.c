@@ -194,7 +194,7 @@ static void count_damping(pdmc_particles *p)
 static void act(pdmc_particles *p)
 {
     const pdmc_nodes *g = &p->nodes;
-    pdmc_layer_motion motion = {.time = pdmc_particles_time(p), .step = p->step};
+    pdmc_layer_motion motion = {.time = pdmc_particles_time(p), .step = p->step, .damping = &p->damping};
     for (int a = 0; a < PDMC_AXES; a++) {
         motion.position[a] = p->position[a];
         motion.velocity[a] = p->velocity[a];

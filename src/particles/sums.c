@@ -131,6 +131,20 @@ void pdmc_particles_state(const pdmc_particles *p, double u[], double velocity[]
     }
 }
 
+void pdmc_particles_conditions(const pdmc_particles *p, double force[], double displacement[])
+{
+    for (int k = 0; k < p->layer_count; k++) {
+        const pdmc_layer *layer = &p->layers[k];
+        for (int a = 0; a < PDMC_AXES; a++) {
+            double sum = 0.0;
+            for (int i = 0; i < layer->count; i++)
+                sum += p->position[a][layer->cell[i]] - p->nodes.reference[a][layer->cell[i]];
+            force[PDMC_AXES * k + a] = layer->exerted[a];
+            displacement[PDMC_AXES * k + a] = sum / layer->count;
+        }
+    }
+}
+
 void pdmc_particles_spheres(const pdmc_particles *p, pdmc_rigid_sphere spheres[])
 {
     for (int s = 0; s < p->sphere_count; s++) {

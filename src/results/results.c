@@ -49,6 +49,7 @@ void pdmc_results_unit(const pdmc_results *results, pdmc_unit unit, size_t size,
         [PDMC_UNIT_ENERGY] = "F/L", [PDMC_UNIT_DENSITY] = "L/F",  [PDMC_UNIT_STUDY_TIME] = "T",
         [PDMC_UNIT_WORK] = "F L",     [PDMC_UNIT_BYTE] = "byte",   [PDMC_UNIT_VELOCITY] = "L/T",
         [PDMC_UNIT_MASS] = "F T^2/L", [PDMC_UNIT_MOMENTUM] = "F T",
+        [PDMC_UNIT_FORCE] = "F",
     };
     size_t used = 0;
     for (const char *p = patterns[unit]; *p; p++) {
@@ -144,7 +145,9 @@ static pdmc_status check_particle_names(const pdmc_results *results, pdmc_status
     for (int i = 0; i < p->tip_count; i++) without += has_no_end(p->tips[i].name);
     for (int i = 0; i < p->sphere_count; i++) without += has_no_end(p->spheres[i].name);
     for (int i = 0; i < p->body_count; i++) without += has_no_end(p->bodies[i].name);
-    return without == 0 ? PDMC_OK : pdmc_raise(code, "%d names of tips, spheres or bodies have no end", without);
+    for (int i = 0; i < p->condition_count; i++) without += has_no_end(p->conditions[i].name);
+    return without == 0 ? PDMC_OK
+                        : pdmc_raise(code, "%d names of tips, spheres, bodies or conditions have no end", without);
 }
 
 static pdmc_status check_states(const pdmc_results *results, pdmc_status code)

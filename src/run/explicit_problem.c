@@ -51,45 +51,51 @@ static double share_of(const pdmc_explicit *p, double length)
     return p->volume_rule == PDMC_VOLUME_WHOLE ? 1.0 : fmax(0.0, fmin(1.0, 0.5 - beyond));
 }
 
-// Over the neighbours of a node inside a body: their number, and the sum of their shares over |xi|.
-static double sum_neighbours(const pdmc_explicit *p, double *inverse_lengths)
+// Over the neighbours of a node inside a body: their number, and the sums of their shares, as they are and over |xi|.
+typedef struct {
+    double count, shares, inverse_lengths;
+} neighbour_sums;
+
+static neighbour_sums sum_neighbours(const pdmc_explicit *p)
 {
     const double h = p->spacing;
     const int reach = (int)(p->horizon / h + 0.5 + 1e-9), depth = p->dimension == 3 ? reach : 0;
-    double count = 0.0;
-    *inverse_lengths = 0.0;
+    neighbour_sums sums = {0};
     for (int k = -depth; k <= depth; k++)
         for (int j = -reach; j <= reach; j++)
             for (int i = -reach; i <= reach; i++) {
                 const double length = h * sqrt((double)(i * i + j * j + k * k));
                 const double share = length > 0.0 ? share_of(p, length) : 0.0;
                 if (share < 1e-9) continue;
-                count += 1.0;
-                *inverse_lengths += share / length;
+                sums.count += 1.0;
+                sums.shares += share;
+                sums.inverse_lengths += share / length;
             }
-    return count;
+    return sums;
 }
 
 // As of eq. 46 inside the stiffest and lightest material.
-static double stable_step(const pdmc_explicit *p, double inverse_lengths)
+static double stable_step(const pdmc_explicit *p, const neighbour_sums *sums)
 {
     const double volume = p->dimension == 3 ? gsl_pow_3(p->spacing) : gsl_pow_2(p->spacing) * p->thickness;
     double step = INFINITY;
-    for (int i = 0; i < p->material_count; i++)
-        step = fmin(
-            step, sqrt(2.0 * p->materials[i].density / (volume * micromodulus(p, &p->materials[i]) * inverse_lengths)));
+    for (int i = 0; i < p->material_count; i++) {
+        const double by_density = 2.0 * volume * micromodulus(p, &p->materials[i]) / p->materials[i].density;
+        const double square = by_density * sums->inverse_lengths, rate = by_density * p->bond_damping * sums->shares;
+        step = fmin(step, (sqrt(rate * rate + 4.0 * square) - rate) / square); // see pdmc_particles_stable_step()
+    }
     return step;
 }
 
 pdmc_explicit_amounts pdmc_explicit_count(const pdmc_explicit *problem)
 {
-    double extent = 0.0, inverse_lengths;
+    double extent = 0.0;
     for (int i = 0; i < problem->body_count; i++) extent += pdmc_explicit_extent(problem, &problem->bodies[i].shape);
     const double nodes = extent / pow(problem->spacing, problem->dimension);
-    const double neighbours = sum_neighbours(problem, &inverse_lengths);
-    const double step = problem->has_step ? problem->step : problem->safety * stable_step(problem, inverse_lengths);
+    const neighbour_sums sums = sum_neighbours(problem);
+    const double step = problem->has_step ? problem->step : problem->safety * stable_step(problem, &sums);
     return (pdmc_explicit_amounts){
-        .nodes = nodes, .bonds = 0.5 * neighbours * nodes, .steps = ceil(problem->duration / step * (1.0 - 1e-9))};
+        .nodes = nodes, .bonds = 0.5 * sums.count * nodes, .steps = ceil(problem->duration / step * (1.0 - 1e-9))};
 }
 
 // What the engine takes, of lists that the study gives in another form.
@@ -147,6 +153,8 @@ static pdmc_particles_options options_of(const pdmc_explicit *p, const lists *l,
         .cracks = p->cracks,
         .conditions = l->conditions,
         .spheres = l->spheres,
+        .damping = p->damping,
+        .bond_damping = p->bond_damping,
         .step = p->has_step ? p->step : 0.0,
         .safety = p->safety,
         .threads = threads,

@@ -159,6 +159,18 @@ static pdmc_status check_factors(const pdmc_study_reader *reader, int index)
     return PDMC_OK;
 }
 
+// What grows along an axis is of a component that is prescribed.
+static pdmc_status check_gradients(const pdmc_study_reader *reader, int index)
+{
+    static const char *const keys[PDMC_AXES] = {"x_gradient", "y_gradient", "z_gradient"};
+    const pdmc_layer_condition *layer = &reader->motion->conditions[index].layer;
+    for (int a = 0; a < PDMC_AXES; a++)
+        if (!layer->along[a] && length(layer->gradient[a]) > 0.0)
+            return pdmc_study_refuse(reader, at(SECTION_CONDITIONS, index, keys[a]),
+                                     "is given without %c, must have it, 0 for instance", "xyz"[a]);
+    return PDMC_OK;
+}
+
 static pdmc_status check_condition(const pdmc_study_reader *reader, int index)
 {
     const pdmc_layer_condition *layer = &reader->motion->conditions[index].layer;
@@ -168,13 +180,14 @@ static pdmc_status check_condition(const pdmc_study_reader *reader, int index)
     if (layer->along[2] && reader->motion->dimension == 2)
         return pdmc_study_refuse(reader, at(SECTION_CONDITIONS, index, "z"),
                                  "is not allowed in two dimensions, must be x or y");
-    const pdmc_status status = check_shape(reader, SECTION_CONDITIONS, index, &layer->region);
+    pdmc_status status = check_gradients(reader, index);
+    if (status == PDMC_OK) status = check_shape(reader, SECTION_CONDITIONS, index, &layer->region);
     return status == PDMC_OK ? check_factors(reader, index) : status;
 }
 
 pdmc_status pdmc_study_check_conditions(const pdmc_study_reader *reader)
 {
-    pdmc_status status = PDMC_OK;
+    pdmc_status status = check_names(reader, SECTION_CONDITIONS, "condition");
     for (int i = 0; i < reader->motion->condition_count && status == PDMC_OK; i++) status = check_condition(reader, i);
     return status;
 }

@@ -48,7 +48,11 @@
     {SECTION_CONDITIONS, key, KIND_OPTIONAL, .range = ANY,                                                             \
      .offset = offsetof(pdmc_explicit_condition, layer.value[axis]),                                                   \
      .flag = offsetof(pdmc_explicit_condition, layer.along[axis]), .fallback = "free",                                 \
-     .doc = "component in " key ", a velocity or a force on a unit of volume"}
+     .doc = "component in " key ", a velocity, a force on a unit of volume, or a displacement"}
+#define GRADIENT(key, axis)                                                                                            \
+    {SECTION_CONDITIONS, key "_gradient", KIND_VECTOR, .range = ANY,                                                   \
+     .offset = offsetof(pdmc_explicit_condition, layer.gradient[axis]), .fallback = "zero",                            \
+     .doc = "by which the component in " key " grows with the node's position, from the origin on"}
 #define MODULUS(key, field, its_unit, text)                                                                            \
     {SECTION_PARTICLE_MATERIALS, key, KIND_OPTIONAL, its_unit, POSITIVE, offsetof(pdmc_explicit_material, field),      \
      .flag = offsetof(pdmc_explicit_material, has_##field), .fallback = "none", .doc = text}
@@ -122,7 +126,8 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
                                PARTICLE_LIST(pdmc_planar_crack, cracks, crack_count),
                                .check = pdmc_study_check_planar_cracks},
     [SECTION_CONDITIONS] = {.name = "conditions", OF(PDMC_EXPLICIT),
-                            .doc = "of an explicit study: list of velocities or forces prescribed in layers of nodes",
+                            .doc = "of an explicit study: list of velocities, forces or displacements prescribed in layers "
+                                   "of nodes",
                             PARTICLE_LIST(pdmc_explicit_condition, conditions, condition_count),
                             .check = pdmc_study_check_conditions},
     [SECTION_SPHERES] = {.name = "spheres", OF(PDMC_EXPLICIT),
@@ -130,6 +135,7 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
                          PARTICLE_LIST(pdmc_explicit_sphere, spheres, sphere_count),
                          .check = pdmc_study_check_spheres},
     [SECTION_CONTACT] = {.name = "contact", .doc = "of an explicit study: how nodes repel each other", OF(PDMC_EXPLICIT)},
+    [SECTION_DAMPING] = {.name = "damping", .doc = "of an explicit study: linear and viscous", OF(PDMC_EXPLICIT)},
     [SECTION_TIME] = {.name = "time", .doc = "of an explicit study: how long, in which steps", OF(PDMC_EXPLICIT),
                       .check = pdmc_study_check_time},
     [SECTION_RECORD] = {.name = "record", .doc = "of an explicit study: what is kept", OF(PDMC_EXPLICIT),
@@ -165,7 +171,7 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define VOLUMES CHOICES("whole", "partial", "tapered")
 #define SHAPES CHOICES("box", "cylinder", "ball")
 #define PLANAR_CRACKS CHOICES("segment", "disc", "rectangle")
-#define CONDITIONS CHOICES("velocity", "force")
+#define CONDITIONS CHOICES("velocity", "force", "displacement")
 
 const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_TOP, "kind", KIND_CHOICE, .offset = IN_PROBLEM(kind), .choices = STUDY_KINDS, .fallback = "static",
@@ -463,12 +469,17 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_PLANAR_CRACKS, "second_side", KIND_VECTOR, UNIT_LENGTH, ANY, offsetof(pdmc_planar_crack, side[1]),
      WHERE("shape", RECTANGLE), .doc = "... of the next edge"},
 
+    {SECTION_CONDITIONS, "name", KIND_NAME, .offset = offsetof(pdmc_explicit_condition, layer.name),
+     .fallback = "condition1, condition2, ...", .doc = "each name once"},
     {SECTION_CONDITIONS, "prescribed", KIND_CHOICE, .offset = offsetof(pdmc_explicit_condition, layer.kind),
-     .choices = CONDITIONS, .fallback = "velocity", .doc = "the velocity of the nodes, or a force on a unit of volume"},
+     .choices = CONDITIONS, .fallback = "velocity", .doc = "the velocity of the nodes, a force on a unit of volume, or the displacement"},
     SHAPE_OF(SECTION_CONDITIONS, OF_LAYER),
     COMPONENT("x", 0),
     COMPONENT("y", 1),
     COMPONENT("z", 2),
+    GRADIENT("x", 0),
+    GRADIENT("y", 1),
+    GRADIENT("z", 2),
     {SECTION_CONDITIONS, "times", KIND_REALS, UNIT_TIME, NOT_NEGATIVE,
      offsetof(pdmc_explicit_condition, layer.history.time),
      .flag = offsetof(pdmc_explicit_condition, layer.history.count), .fallback = "none",
@@ -497,6 +508,11 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .doc = "in spacings, below which nodes repel each other, but not above 0.9 of their first distance; 0 for never"},
     {SECTION_CONTACT, "stiffness", KIND_REAL, .range = POSITIVE, .offset = IN_MOTION(contact_stiffness),
      .fallback = "15.0", .doc = "of the repulsion, over that of a bond as long as the horizon"},
+
+    {SECTION_DAMPING, "absolute", KIND_REAL, UNIT_DAMPING, NOT_NEGATIVE, IN_MOTION(damping), .fallback = "0.0",
+     .doc = "C of a force -C v on a unit of volume, which slows bodies as a whole too"},
+    {SECTION_DAMPING, "relative", KIND_REAL, UNIT_SLOWNESS, NOT_NEGATIVE, IN_MOTION(bond_damping), .fallback = "0.0",
+     .doc = "c_v of a bond's force c (s + c_v w), w the velocity by which its ends part; the stable step falls with it"},
 
     {SECTION_TIME, "duration", KIND_REAL, UNIT_TIME, POSITIVE, IN_MOTION(duration), .doc = "reached by whole steps"},
     {SECTION_TIME, "step", KIND_OPTIONAL, UNIT_TIME, POSITIVE, IN_MOTION(step), .flag = IN_MOTION(has_step),
@@ -589,6 +605,8 @@ void pdmc_study_print_unit(FILE *out, pdmc_study_unit unit, const pdmc_study_uni
     case UNIT_VELOCITY: fprintf(out, "%s/%s", length, time); break;
     case UNIT_MICROMODULUS: fprintf(out, "%s/%s^6", force, length); break;
     case UNIT_PENALTY: fprintf(out, "%s/%s^5", force, length); break;
+    case UNIT_DAMPING: fprintf(out, "%s %s/%s^4", force, time, length); break;
+    case UNIT_SLOWNESS: fprintf(out, "%s/%s", time, length); break;
     }
 }
 

@@ -74,6 +74,7 @@ typedef enum {
     SECTION_CONDITIONS,
     SECTION_SPHERES,
     SECTION_CONTACT,
+    SECTION_DAMPING,
     SECTION_TIME,
     SECTION_RECORD,
     SECTIONS
@@ -107,7 +108,9 @@ typedef enum {
     UNIT_MASS,
     UNIT_VELOCITY,
     UNIT_MICROMODULUS,
-    UNIT_PENALTY // force / length^5, of a sphere
+    UNIT_PENALTY, // force / length^5, of a sphere
+    UNIT_DAMPING, // force time / length^4
+    UNIT_SLOWNESS
 } pdmc_study_unit;
 
 /// A method, and for the collocation how it treats cracks.

@@ -17,7 +17,7 @@ static void put_axes(FILE *stream, const char *name, const char *what, const cha
 
 static void put_header(const pdmc_results *r, FILE *stream)
 {
-    static const char *const energies[] = {"kinetic", "elastic", "fracture", "contact", "work"};
+    static const char *const energies[] = {"kinetic", "elastic", "fracture", "contact", "dissipated", "work"};
     const pdmc_explicit_record *p = &r->particles;
     char unit[PDMC_UNIT_SIZE], velocity[PDMC_UNIT_SIZE], column[COLUMN_SIZE];
     pdmc_results_unit(r, PDMC_UNIT_WORK, sizeof unit, unit);
@@ -40,6 +40,10 @@ static void put_header(const pdmc_results *r, FILE *stream)
         put_axes(stream, p->spheres[s].name, ".centre", r->length_unit);
         put_axes(stream, p->spheres[s].name, ".velocity", velocity);
     }
+    for (int c = 0; c < p->condition_count; c++) {
+        put_axes(stream, p->conditions[c].name, ".force", r->force_unit);
+        put_axes(stream, p->conditions[c].name, ".displacement", r->length_unit);
+    }
     fputc('\n', stream);
 }
 
@@ -48,7 +52,8 @@ pdmc_status pdmc_csv_records(const pdmc_results *results, FILE *stream)
     const pdmc_explicit_record *p = &results->particles;
     put_header(results, stream);
     for (int i = 0; i < p->record_count; i++) {
-        const double numbers[] = {p->time[i], p->kinetic[i], p->elastic[i], p->fracture[i], p->contact[i], p->work[i]};
+        const double numbers[] = {p->time[i],    p->kinetic[i],    p->elastic[i], p->fracture[i],
+                                  p->contact[i], p->dissipated[i], p->work[i]};
         fprintf(stream, "%d", i);
         pdmc_csv_numbers(stream, sizeof numbers / sizeof numbers[0], numbers);
         pdmc_csv_numbers(stream, PDMC_AXES, &p->momentum[3 * i]);
@@ -64,6 +69,10 @@ pdmc_status pdmc_csv_records(const pdmc_results *results, FILE *stream)
         for (int s = 0; s < p->sphere_count; s++) {
             pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_sphere(p, p->sphere_centre, i, s));
             pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_sphere(p, p->sphere_velocity, i, s));
+        }
+        for (int c = 0; c < p->condition_count; c++) {
+            pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_condition(p, p->condition_force, i, c));
+            pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_condition(p, p->condition_displacement, i, c));
         }
         fputc('\n', stream);
     }

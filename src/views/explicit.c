@@ -13,6 +13,11 @@ const double *pdmc_of_sphere(const pdmc_explicit_record *record, const double va
     return &values[3 * ((size_t)at * (size_t)record->sphere_count + (size_t)sphere)];
 }
 
+const double *pdmc_of_condition(const pdmc_explicit_record *record, const double values[], int at, int condition)
+{
+    return &values[3 * ((size_t)at * (size_t)record->condition_count + (size_t)condition)];
+}
+
 pdmc_tip_growth pdmc_growth_of(const pdmc_explicit_record *r, int tip)
 {
     pdmc_tip_growth g = {.begin = NAN, .end = NAN, .mean_speed = NAN, .most_speed = NAN};
@@ -33,7 +38,7 @@ double pdmc_explicit_balance_error(const pdmc_explicit_record *r)
 {
     double error = 0.0, largest = 0.0;
     for (int i = 0; i < r->record_count; i++) {
-        const double become = r->kinetic[i] + r->elastic[i] + r->fracture[i] + r->contact[i];
+        const double become = r->kinetic[i] + r->elastic[i] + r->fracture[i] + r->contact[i] + r->dissipated[i];
         error = fmax(error, fabs(r->first + r->work[i] - become));
         largest = fmax(largest, become);
     }

@@ -14,9 +14,11 @@ typedef struct {
 
 pdmc_tip_growth pdmc_growth_of(const pdmc_explicit_record *record, int tip);
 
-/// A tip's advance or speed, a sphere's centre or velocity, in an array [N, count] or [N, count, 3].
+/// A tip's advance or speed, a sphere's centre or velocity, a condition's force or displacement, in an array [N, count] or
+/// [N, count, 3].
 double pdmc_of_tip(const pdmc_explicit_record *record, const double values[], int at, int tip);
 const double *pdmc_of_sphere(const pdmc_explicit_record *record, const double values[], int at, int sphere);
+const double *pdmc_of_condition(const pdmc_explicit_record *record, const double values[], int at, int condition);
 
 /// The largest difference between what came in, first + work, and what it has become, over the largest of the latter;
 /// NaN without either.

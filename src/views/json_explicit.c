@@ -13,6 +13,7 @@ static json_t *records(const pdmc_explicit_record *p)
         {"elastic", p->elastic},
         {"contact", p->contact},
         {"fracture", p->fracture},
+        {"dissipated", p->dissipated},
         {"work", p->work},
         {"mean_damage", p->mean_damage},
         {"broken", p->broken},
@@ -65,6 +66,20 @@ static json_t *sphere(const pdmc_explicit_record *p, int s)
     return object;
 }
 
+static json_t *condition(const pdmc_explicit_record *p, int c)
+{
+    json_t *object = json_object(), *force = json_array(), *displacement = json_array();
+    pdmc_json_put(&object, "name", pdmc_json_text(p->conditions[c].name));
+    for (int i = 0; i < p->record_count; i++) {
+        pdmc_json_append(&force, pdmc_json_numbers(PDMC_AXES, pdmc_of_condition(p, p->condition_force, i, c)));
+        pdmc_json_append(&displacement,
+                         pdmc_json_numbers(PDMC_AXES, pdmc_of_condition(p, p->condition_displacement, i, c)));
+    }
+    pdmc_json_put(&object, "force", force);
+    pdmc_json_put(&object, "displacement", displacement);
+    return object;
+}
+
 static json_t *last(const pdmc_explicit_record *p)
 {
     const int i = p->record_count - 1;
@@ -101,7 +116,7 @@ static json_t *fragments(const pdmc_explicit_record *p)
 
 json_t *pdmc_json_explicit(const pdmc_explicit_record *p)
 {
-    json_t *object = json_object(), *tips = json_array(), *spheres = json_array();
+    json_t *object = json_object(), *tips = json_array(), *spheres = json_array(), *conditions = json_array();
     pdmc_json_put(&object, "dimension", json_integer(p->dimension));
     pdmc_json_put(&object, "nodes", json_integer(p->node_count));
     pdmc_json_put(&object, "bonds", pdmc_json_number(p->bonds));
@@ -116,8 +131,10 @@ json_t *pdmc_json_explicit(const pdmc_explicit_record *p)
     pdmc_json_put(&object, "last", last(p));
     for (int t = 0; t < p->tip_count; t++) pdmc_json_append(&tips, tip(p, t));
     for (int s = 0; s < p->sphere_count; s++) pdmc_json_append(&spheres, sphere(p, s));
+    for (int c = 0; c < p->condition_count; c++) pdmc_json_append(&conditions, condition(p, c));
     pdmc_json_put(&object, "tips", tips);
     pdmc_json_put(&object, "spheres", spheres);
+    pdmc_json_put(&object, "conditions", conditions);
     pdmc_json_put(&object, "fragments", fragments(p));
     pdmc_json_put(&object, "records", records(p));
     pdmc_json_put(&object, "snapshot_times", pdmc_json_numbers((size_t)p->snapshot_count, p->snapshot_time));

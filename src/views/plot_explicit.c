@@ -30,8 +30,8 @@ void pdmc_draw_explicit_energies(const pdmc_results *r, const pdmc_figure *figur
     char unit[PDMC_UNIT_SIZE];
     fputs("$energies << EOD\n", script);
     for (int i = 0; i < p->record_count; i += stride(p))
-        fprintf(script, "%.9g %.9g %.9g %.9g %.9g %.9g\n", p->time[i], p->first + p->work[i], p->elastic[i],
-                p->kinetic[i], p->fracture[i], p->contact[i]);
+        fprintf(script, "%.9g %.9g %.9g %.9g %.9g %.9g %.9g\n", p->time[i], p->first + p->work[i], p->elastic[i],
+                p->kinetic[i], p->fracture[i], p->contact[i], p->dissipated[i]);
     fputs("EOD\n", script);
     pdmc_results_unit(r, PDMC_UNIT_WORK, sizeof unit, unit);
     put_time_axis(r, figure);
@@ -40,8 +40,11 @@ void pdmc_draw_explicit_energies(const pdmc_results *r, const pdmc_figure *figur
           "$energies using 1:3 with lines linecolor " PDMC_BLUE " title 'elastic', "
           "$energies using 1:4 with lines linecolor " PDMC_VERMILION " title 'kinetic', "
           "$energies using 1:5 with lines linecolor " PDMC_GREEN " title 'fracture', "
-          "$energies using 1:6 with lines linecolor " PDMC_GREY " title 'contact'\n",
+          "$energies using 1:6 with lines linecolor " PDMC_GREY " title 'contact'",
           script);
+    if (p->record_count > 0 && p->dissipated[p->record_count - 1] != 0.0)
+        fputs(", $energies using 1:7 with lines linecolor '#e69f00' title 'dissipated'", script);
+    fputc('\n', script);
 }
 
 void pdmc_draw_explicit_tips(const pdmc_results *r, const pdmc_figure *figure)

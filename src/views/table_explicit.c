@@ -24,6 +24,8 @@ static void print_energies(const pdmc_results *r, int last, FILE *stream)
             pdmc_brief(n[0], p->first), pdmc_brief(n[1], p->work[last]), pdmc_brief(n[2], p->kinetic[last]),
             pdmc_brief(n[3], p->elastic[last]), pdmc_brief(n[4], p->fracture[last]), pdmc_brief(n[5], p->contact[last]),
             pdmc_one_line(text[1], unit));
+    if (p->dissipated[last] != 0.0)
+        fprintf(stream, "  and dissipated %s by damping\n", pdmc_brief(n[0], p->dissipated[last]));
     fprintf(stream, "  the balance of energy is off by %s of the largest energy at most\n",
             pdmc_brief(n[0], pdmc_explicit_balance_error(p)));
     fprintf(stream, "  %.0f bonds are broken, the mean damage is %.6g\n", p->broken[last], p->mean_damage[last]);
@@ -74,6 +76,22 @@ static void print_spheres(const pdmc_results *r, int last, FILE *stream)
     }
 }
 
+static void print_conditions(const pdmc_results *r, int last, FILE *stream)
+{
+    const pdmc_explicit_record *p = &r->particles;
+    char n[6][PDMC_BRIEF_SIZE], text[2][PDMC_LINE_SIZE];
+    if (p->condition_count == 0) return;
+    fprintf(stream, "\nconditions, %.20s and %.20s %16s %32s\n", pdmc_one_line(text[0], r->force_unit),
+            pdmc_one_line(text[1], r->length_unit), "force", "mean displacement");
+    for (int c = 0; c < p->condition_count; c++) {
+        const double *f = pdmc_of_condition(p, p->condition_force, last, c);
+        const double *u = pdmc_of_condition(p, p->condition_displacement, last, c);
+        fprintf(stream, "  %-15.15s %10s %10s %10s %12s %10s %10s\n", pdmc_one_line(text[0], p->conditions[c].name),
+                pdmc_brief(n[0], f[0]), pdmc_brief(n[1], f[1]), pdmc_brief(n[2], f[2]), pdmc_brief(n[3], u[0]),
+                pdmc_brief(n[4], u[1]), pdmc_brief(n[5], u[2]));
+    }
+}
+
 void pdmc_table_explicit(const pdmc_results *r, FILE *stream)
 {
     const pdmc_explicit_record *p = &r->particles;
@@ -84,6 +102,7 @@ void pdmc_table_explicit(const pdmc_results *r, FILE *stream)
         print_fragments(r, last, stream);
         print_tips(r, stream);
         print_spheres(r, last, stream);
+        print_conditions(r, last, stream);
     }
     fprintf(stream, "\nkept     %d records, %d snapshots of all nodes\n", p->record_count, p->snapshot_count);
     fprintf(stream, "seconds  steps %.2f, output %.2f\n", r->runtime.motion, r->runtime.output);

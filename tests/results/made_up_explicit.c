@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { ACROSS = 8, UP = 4, DEEP = 3, RECORDS = 21, SNAPSHOTS = 3, TIPS = 2, SPHERES = 2, BODIES = 2 };
+enum { ACROSS = 8, UP = 4, DEEP = 3, RECORDS = 21, SNAPSHOTS = 3, TIPS = 2, SPHERES = 2, BODIES = 2, CONDITIONS = 2 };
 
 static const double spacing = 0.5, interval = 0.1;
 
@@ -33,7 +33,7 @@ static void make_texts(pdmc_results *r)
     r->runtime = (pdmc_runtime){.motion = 1.25, .output = 0.05, .total = 1.5, .peak_memory = 8.1e7, .threads = 2};
 }
 
-// Half of the work is elastic, a quarter kinetic, and an eighth each is of fracture and contact.
+// Half of the work is elastic, a quarter kinetic, an eighth of contact, and a sixteenth each is of fracture and damping.
 static void make_energies(pdmc_explicit_record *p)
 {
     NEW(p->time, RECORDS);
@@ -42,6 +42,7 @@ static void make_energies(pdmc_explicit_record *p)
     NEW(p->contact, RECORDS);
     NEW(p->fracture, RECORDS);
     NEW(p->work, RECORDS);
+    NEW(p->dissipated, RECORDS);
     NEW(p->momentum, 3 * RECORDS);
     NEW(p->mean_damage, RECORDS);
     NEW(p->broken, RECORDS);
@@ -54,7 +55,8 @@ static void make_energies(pdmc_explicit_record *p)
         p->work[i] = t;
         p->elastic[i] = 0.5 * all;
         p->kinetic[i] = 0.25 * all;
-        p->contact[i] = p->fracture[i] = 0.125 * all;
+        p->contact[i] = 0.125 * all;
+        p->fracture[i] = p->dissipated[i] = 0.0625 * all;
         p->momentum[3 * i + 1] = -t;
         p->mean_damage[i] = 0.01 * i;
         p->broken[i] = 10.0 * i;
@@ -94,6 +96,18 @@ static void make_spheres(pdmc_explicit_record *p)
     for (int i = 0; i < 3 * SPHERES * RECORDS; i++) {
         p->sphere_centre[i] = 0.25 * i;
         p->sphere_velocity[i] = -0.5 * i;
+    }
+}
+
+static void make_conditions(pdmc_explicit_record *p)
+{
+    NEW(p->conditions, CONDITIONS);
+    NEW(p->condition_force, 3 * CONDITIONS * RECORDS);
+    NEW(p->condition_displacement, 3 * CONDITIONS * RECORDS);
+    for (int c = 0; c < CONDITIONS; c++) snprintf(p->conditions[c].name, sizeof p->conditions[c].name, "end%d", c + 1);
+    for (int i = 0; i < 3 * CONDITIONS * RECORDS; i++) {
+        p->condition_force[i] = 3.0 * i;
+        p->condition_displacement[i] = -1e-3 * i;
     }
 }
 
@@ -157,11 +171,13 @@ pdmc_results made_up_explicit(int dimension)
                                     .record_count = RECORDS,
                                     .tip_count = TIPS,
                                     .sphere_count = SPHERES,
+                                    .condition_count = CONDITIONS,
                                     .body_count = BODIES}};
     make_texts(&r);
     make_energies(&r.particles);
     make_tips(&r.particles);
     make_spheres(&r.particles);
+    make_conditions(&r.particles);
     make_nodes(&r.particles);
     make_snapshots(&r.particles);
     make_fragments(&r.particles);

@@ -22,6 +22,9 @@ static void check_columns(const pdmc_explicit_record *a, const pdmc_explicit_rec
         {a->contact, b->contact, a->record_count},
         {a->fracture, b->fracture, a->record_count},
         {a->work, b->work, a->record_count},
+        {a->dissipated, b->dissipated, a->record_count},
+        {a->condition_force, b->condition_force, 3 * a->condition_count * a->record_count},
+        {a->condition_displacement, b->condition_displacement, 3 * a->condition_count * a->record_count},
         {a->momentum, b->momentum, 3 * a->record_count},
         {a->mean_damage, b->mean_damage, a->record_count},
         {a->broken, b->broken, a->record_count},
@@ -55,6 +58,8 @@ static void check_record(const pdmc_explicit_record *a, const pdmc_explicit_reco
     assert_int_equal(a->node_count, b->node_count);
     assert_int_equal(a->snapshot_count, b->snapshot_count);
     assert_int_equal(a->state_count, b->state_count);
+    assert_int_equal(a->condition_count, b->condition_count);
+    assert_memory_equal(a->conditions, b->conditions, (size_t)a->condition_count * sizeof *a->conditions);
     assert_int_equal(a->fragment_count, b->fragment_count);
     assert_memory_equal(a->fragment, b->fragment, (size_t)a->state_count * sizeof *a->fragment);
     assert_memory_equal(a->fragment_list, b->fragment_list, (size_t)a->fragment_count * sizeof *a->fragment_list);

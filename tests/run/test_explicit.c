@@ -291,6 +291,38 @@ static void counts_bound_those_of_the_engine(void **state)
     }
 }
 
+// A bar that is held at one end and pulled at the other, 8 nodes of volume 0.25 by 0.02 each, comes to rest: the reaction is
+// the force, and half of its work is elastic and the other half damped away, but for what small strains are of first order.
+static void a_damped_bar_comes_to_rest(void **state)
+{
+    (void)state;
+    const pdmc_run_options options = {.threads = 2};
+    for (int relative = 0; relative < 2; relative++) {
+        char text[1024];
+        snprintf(text, sizeof text,
+                 GRID GLASS "bodies = ( { from = [0, 0]; to = [12, 4]; } ); damping = { %s; };\n"
+                            "conditions = ( { name = \"wall\"; prescribed = \"displacement\"; from = [0, 0]; to = [2, 4];\n"
+                            "                 x = 0; y = 0; },\n"
+                            "               { name = \"hand\"; prescribed = \"force\"; from = [10, 0]; to = [12, 4];\n"
+                            "                 x = 2e-5; } );\n"
+                            "time = { duration = 1000; }; record = { interval = 100; snapshots = 1; };",
+                 relative ? "relative = 6.0" : "absolute = 0.12");
+        pdmc_results r;
+        run_explicit(text, &options, &r);
+        const pdmc_explicit_record *p = &r.particles;
+        const int last = p->record_count - 1;
+        const double *force = &p->condition_force[6 * last], *displacement = &p->condition_displacement[6 * last];
+        assert_string_equal(p->conditions[1].name, "hand");
+        CHECK_NEAR(force[3], 8 * 0.25 * 2e-5, 1e-18);
+        CHECK_NEAR(force[0], -force[3], 1e-6 * force[3]);
+        CHECK_NEAR(displacement[0], 0.0, 1e-15);
+        CHECK_NEAR(p->work[last], force[3] * displacement[3], 0.01 * p->work[last]);
+        CHECK_NEAR(p->elastic[last], 0.5 * p->work[last], 0.01 * p->work[last]);
+        CHECK_NEAR(p->dissipated[last], 0.5 * p->work[last], 0.01 * p->work[last]);
+        pdmc_results_clear(&r);
+    }
+}
+
 static void fronts_are_of_nodes_near_the_crack(void **state)
 {
     (void)state;
@@ -342,6 +374,7 @@ int main(void)
         cmocka_unit_test(what_the_engine_refuses_is_a_bad_study),
         cmocka_unit_test(moduli_say_the_same),
         cmocka_unit_test(counts_bound_those_of_the_engine),
+        cmocka_unit_test(a_damped_bar_comes_to_rest),
         cmocka_unit_test(fronts_are_of_nodes_near_the_crack),
         cmocka_unit_test(speeds_are_central_differences),
     };

@@ -40,7 +40,10 @@ static const char plane[] =
     "cracks = ( { name = \"middle\"; from = [-5, 0]; to = [5, 0]; } );\n"
     "conditions = ( { from = [-25.0, 23.4]; to = [25.0, 25.0]; y = 20; times = [5, 5, 10, 10]; factors = [1, -1, -1, "
     "0]; },\n"
-    "               { prescribed = \"force\"; shape = \"ball\"; centre = [0, 0]; radius = 0.3; x = -1; } );\n"
+    "               { prescribed = \"force\"; shape = \"ball\"; centre = [0, 0]; radius = 0.3; x = -1; },\n"
+    "               { name = \"grip\"; prescribed = \"displacement\"; from = [-25, -25]; to = [-24, 25]; x = 0;\n"
+    "                 x_gradient = [0.0, 1e-3]; } );\n"
+    "damping = { absolute = 3.5; relative = 0.25; };\n"
     "spheres = ( { name = \"ram\"; radius = 5; centre = [0, 40]; velocity = [0.0, -35.5]; mass = 4.16; stiffness = "
     "1e26; },\n"
     "            { radius = 1; centre = [0, -40]; stiffness = 1e26; } );\n"
@@ -84,6 +87,13 @@ static void what_is_given_is_kept(void **state)
     CHECK_NEAR(strip->history.factor[2], -1.0, 0.0);
     assert_int_equal(force->kind, PDMC_CONDITION_FORCE);
     assert_int_equal(force->history.count, 0);
+    const pdmc_layer_condition *grip = &m->conditions[2].layer;
+    assert_string_equal(force->name, "condition2");
+    assert_string_equal(grip->name, "grip");
+    assert_int_equal(grip->kind, PDMC_CONDITION_DISPLACEMENT);
+    CHECK_NEAR(grip->gradient[0][1], 1e-3, 0.0);
+    CHECK_NEAR(m->damping, 3.5, 0.0);
+    CHECK_NEAR(m->bond_damping, 0.25, 0.0);
     assert_true(m->spheres[0].has_mass);
     assert_false(m->spheres[1].has_mass);
     assert_string_equal(m->spheres[1].sphere.name, "sphere2");
@@ -100,6 +110,7 @@ static void defaults_are_of_the_first_step(void **state)
     CHECK_NEAR(m->horizon, 1.5, 0.0);
     assert_int_equal(m->volume_rule, PDMC_VOLUME_PARTIAL);
     CHECK_NEAR(m->contact_distance, 1.35, 0.0);
+    CHECK_NEAR(m->damping + m->bond_damping, 0.0, 0.0);
     CHECK_NEAR(m->contact_stiffness, 15.0, 0.0);
     assert_false(m->has_step);
     CHECK_NEAR(m->safety, 0.8, 0.0);
@@ -244,6 +255,8 @@ static void conditions_and_times_that_cannot_be(void **state)
     const struct {
         const char *settings, *message;
     } layers[] = {
+        {"x = 1; y_gradient = [0, 1, 0];",
+         "study.cfg:6: conditions[0].y_gradient: is given without y, must have it, 0 for instance"},
         {"", "study.cfg:6: conditions[0]: prescribes nothing, must have x or y or z"},
         {"x = 1; times = [0, 1]; factors = [1, 2, 3];",
          "study.cfg:6: conditions[0].factors: 3 factors are given at 2 times, must be as many"},

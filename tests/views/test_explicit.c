@@ -67,7 +67,9 @@ static void the_table_has_tips_and_spheres(void **state)
     expect_line(text, "  STOPPED, these are the steps until then: step 201\n");
     expect_line(text, "  32 nodes and 321 bonds in the plane, spacing 0.5, horizon 1.5 mm\n");
     expect_line(text, "  200 steps of 0.01 ms, 0.8 of the largest stable one; forces by portable\n");
-    expect_line(text, "at 2 ms\n  first 2 + work 2 = kinetic 1 + elastic 2 + fracture 0.5 + contact 0.5 kN mm\n");
+    expect_line(text, "at 2 ms\n  first 2 + work 2 = kinetic 1 + elastic 2 + fracture 0.25 + contact 0.5 kN mm\n"
+                      "  and dissipated 0.25 by damping\n");
+    expect_line(text, "  end2                   369        372        375       -0.123     -0.124     -0.125\n");
     expect_line(text, "  200 bonds are broken, the mean damage is 0.2\n");
     expect_line(text, "  3 pieces of two nodes or more, the largest of 5 kN ms^2/mm; 1 nodes without bonds\n");
     expect_line(text, "  centre.from                  -1          0          0          -          -           -");
@@ -95,6 +97,10 @@ static void the_json_has_all_records(void **state)
     assert_true(json_is_null(json_object_get(sphere, "mass"))); // infinite
     CHECK_NEAR(json_number_value(json_array_get(json_array_get(json_object_get(sphere, "centre"), 20), 2)),
                0.25 * (6 * 20 + 5), 0.0);
+    const json_t *condition = json_array_get(json_object_get(object, "conditions"), 1);
+    assert_string_equal(json_string_value(json_object_get(condition, "name")), "end2");
+    CHECK_NEAR(json_number_value(json_array_get(json_array_get(json_object_get(condition, "force"), 20), 1)),
+               3.0 * (6 * 20 + 4), 0.0);
     const json_t *records = json_object_get(object, "records");
     CHECK_NEAR(json_number_value(json_array_get(json_object_get(records, "broken"), 20)), 200.0, 0.0);
     const json_t *pieces = json_object_get(object, "fragments");
@@ -126,11 +132,11 @@ static void the_csv_has_records_and_nodes(void **state)
     assert_non_null(fragments);
     assert_non_null(records);
     assert_non_null(nodes);
-    expect_line(records, "record,time[ms],kinetic[kN mm],elastic[kN mm],fracture[kN mm],contact[kN mm],work[kN mm],"
+    expect_line(records, "record,time[ms],kinetic[kN mm],elastic[kN mm],fracture[kN mm],contact[kN mm],dissipated[kN mm],work[kN mm],"
                          "momentum.x[kN ms],momentum.y[kN ms],momentum.z[kN ms],mean_damage,broken,fragments,"
                          "loose_nodes,largest_fragment[kN ms^2/mm],"
                          "centre.from.advance[mm],centre.from.speed[mm/ms],");
-    expect_line(records, "\n20,2,1,2,0.5,0.5,2,0,-2,0,");
+    expect_line(records, "\n20,2,1,2,0.25,0.5,0.25,2,0,-2,0,");
     assert_int_equal(lines_of(records), 22);
     expect_line(nodes, "body,position.x[mm],");
     expect_line(nodes, "\nbody2,3.5,1.5,0,"); // the last node
