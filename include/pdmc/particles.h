@@ -38,10 +38,17 @@ typedef struct {
     double radius;                         // of a cylinder or a ball
 } pdmc_shape;
 
+/// A node that need not be on the grid.
+typedef struct {
+    double x[PDMC_AXES], volume; // z = 0 in two dimensions; length^3 in both
+} pdmc_node;
+
 /// Nodes of one material that start with one velocity. Bonds connect nodes of one body; different bodies only touch.
 typedef struct {
     char name[PDMC_NAME_SIZE];
     pdmc_shape shape; // of which no node is in another body
+    int node_count;
+    const pdmc_node *nodes; // [node_count] instead of those of the grid in the shape; NULL: these
     int material;
     double velocity[PDMC_AXES];
 } pdmc_body;

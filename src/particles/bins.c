@@ -54,11 +54,16 @@ static void choose_width(pdmc_bins *bins, const double high[], double width)
     for (int a = 0; a < PDMC_AXES; a++) bins->count[a] = (int)floor((high[a] - bins->low[a]) / width) + 1;
 }
 
+void pdmc_bins_place(const pdmc_bins *bins, const double x[PDMC_AXES], int place[PDMC_AXES])
+{
+    for (int a = 0; a < PDMC_AXES; a++)
+        place[a] = (int)fmin(fmax(floor((x[a] - bins->low[a]) / bins->width), 0.0), bins->count[a] - 1.0);
+}
+
 static int bin_of(const pdmc_bins *bins, double *const x[], int k)
 {
     int place[PDMC_AXES];
-    for (int a = 0; a < PDMC_AXES; a++)
-        place[a] = (int)fmin(fmax(floor((x[a][k] - bins->low[a]) / bins->width), 0.0), bins->count[a] - 1.0);
+    pdmc_bins_place(bins, (double[]){x[0][k], x[1][k], x[2][k]}, place);
     return (place[2] * bins->count[1] + place[1]) * bins->count[0] + place[0];
 }
 

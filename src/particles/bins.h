@@ -19,6 +19,9 @@ typedef struct {
 PDMC_NODISCARD pdmc_status pdmc_bins_create(int points, pdmc_bins *bins);
 void pdmc_bins_clear(pdmc_bins *bins);
 
+/// Where a point is: the bin at place[a] along every axis.
+void pdmc_bins_place(const pdmc_bins *bins, const double x[PDMC_AXES], int place[PDMC_AXES]);
+
 /// Points nearer than `width` are in bins that touch. Points far from the others share the outermost bins.
 /// @param[in] x  [points] of every axis
 void pdmc_bins_fill(pdmc_bins *bins, double *const x[PDMC_AXES], double width);

@@ -2,6 +2,7 @@
 #include "base/base_impl.h"
 #include "particles/lattice.h"
 #include "particles/particles_impl.h"
+#include "particles/scattered.h"
 
 #include <math.h>
 #include <string.h>
@@ -135,13 +136,20 @@ static pdmc_status choose_step(const pdmc_particles_options *o, pdmc_particles *
     return PDMC_OK;
 }
 
+static bool has_scattered(const pdmc_particles_options *o)
+{
+    for (int b = 0; b < o->body_count; b++)
+        if (o->bodies[b].nodes) return true;
+    return false;
+}
+
 static pdmc_status create(const pdmc_particles_options *o, pdmc_particles *p)
 {
     pdmc_status status = PDMC_OK;
     p->threads = o->threads;
     p->linear = o->linear_stretch;
     PDMC_TRY(copy_materials(o, p));
-    PDMC_TRY(pdmc_lattice_create(o, &p->nodes));
+    PDMC_TRY(has_scattered(o) ? pdmc_scattered_create(o, &p->nodes) : pdmc_lattice_create(o, &p->nodes));
     PDMC_TRY(pdmc_variation_create(o, &p->nodes, p->laws, &p->variation));
     PDMC_TRY(choose_step(o, p));
     PDMC_TRY(make_room(o, p));

@@ -21,7 +21,7 @@ int pdmc_particles_count(const pdmc_particles *p)
 }
 size_t pdmc_particles_bond_bytes(const pdmc_particles *p)
 {
-    return p->nodes.bond_bytes;
+    return p->nodes.bond_bytes * (p->nodes.partner ? 2 + sizeof *p->nodes.partner : 1);
 }
 double pdmc_particles_time(const pdmc_particles *p)
 {

@@ -41,16 +41,33 @@ static inline void make_box(specimen *s, int dimension, const int count[])
     };
 }
 
-static inline pdmc_particles *create(const specimen *s)
-{
-    pdmc_particles *particles = NULL;
-    CHECK_OK(pdmc_particles_create(&s->options, &particles));
-    return particles;
-}
-
 /// In (-1, 1), the same in every run.
 static inline double scatter(unsigned *state)
 {
     *state = *state * 1664525u + 1013904223u;
     return *state / 2147483648.0 - 1.0;
+}
+
+/// Gives the body of make_box() nodes of its own: those of the grid, each moved along every axis by at most `amplitude` and its
+/// volume changed by at most that share. @return to be freed by the caller
+static inline pdmc_node *scatter_box(specimen *s, const int count[], double amplitude, unsigned *seed)
+{
+    const int deep = s->options.dimension < 3 ? 1 : count[2];
+    pdmc_node *nodes = calloc((size_t)(count[0] * count[1] * deep), sizeof *nodes), *node = nodes;
+    for (int z = 0; z < deep; z++)
+        for (int y = 0; y < count[1]; y++)
+            for (int x = 0; x < count[0]; x++, node++) {
+                *node = (pdmc_node){{x, y, z}, 1.0 + amplitude * scatter(seed)};
+                for (int a = 0; a < s->options.dimension; a++) node->x[a] += amplitude * scatter(seed);
+            }
+    s->body.nodes = nodes;
+    s->body.node_count = (int)(node - nodes);
+    return nodes;
+}
+
+static inline pdmc_particles *create(const specimen *s)
+{
+    pdmc_particles *particles = NULL;
+    CHECK_OK(pdmc_particles_create(&s->options, &particles));
+    return particles;
 }

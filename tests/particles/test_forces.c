@@ -3,17 +3,19 @@
 
 #include "particles/bodies.h"
 #include "particles/lattice.h"
+#include "particles/scattered.h"
 
-/// How the bonds of the lattice differ.
+/// How the bonds differ, and whether their nodes are scattered round the points of a grid and have different volumes.
 typedef struct {
     double strengthening;
-    bool linear, factors, strengths;
+    bool linear, factors, strengths, scattered;
 } variant;
 
-/// A lattice with arrays of its own, moved at random, some of its bonds stretched beyond what they bear.
+/// Nodes with arrays of their own, moved at random, some of their bonds stretched beyond what they bear.
 typedef struct {
     variant kind;
     specimen s;
+    pdmc_node *scattered; // NULL: on the grid
     pdmc_nodes nodes;
     pdmc_bond_law law;
     pdmc_forces forces;
@@ -44,7 +46,10 @@ static void set_up(setting *t, variant kind, double amplitude)
     make_box(&t->s, 3, (int[]){11, 9, 6});
     t->s.options.volume_rule = PDMC_VOLUME_TAPERED;
     t->s.options.contact_distance = 0.85;
-    CHECK_OK(pdmc_lattice_create(&t->s.options, &t->nodes));
+    if (kind.scattered) {
+        t->scattered = scatter_box(&t->s, (int[]){11, 9, 6}, 0.2, &seed);
+        CHECK_OK(pdmc_scattered_create(&t->s.options, &t->nodes));
+    } else CHECK_OK(pdmc_lattice_create(&t->s.options, &t->nodes));
     const size_t cells = t->nodes.cells + PDMC_LANES, blocks = (size_t)t->nodes.block_count;
     t->law = (pdmc_bond_law){2.0, 0.05, kind.strengthening, NULL};
     t->forces = (pdmc_forces){
@@ -86,6 +91,7 @@ static void tear_down(setting *t)
     pdmc_free(t->elastic);
     pdmc_free(t->contact);
     free(t->bonds);
+    free(t->scattered);
     pdmc_nodes_clear(&t->nodes);
 }
 
@@ -127,14 +133,15 @@ static expected node_by_definition(const setting *t, size_t i)
         if (i == j || length > 3.0) continue;
         const double s = t->kind.linear ? slope / first : (distance - length) / length,
                      depth = fmin(0.9 * length, 0.85) - distance;
-        const double c = t->law.micromodulus * 0.5 * (t->stiffness[i] + t->stiffness[j]) * weight_of(length);
-        const double energy = 0.25 * c * s * s * length;
+        const double c =
+            t->law.micromodulus * 0.5 * (t->stiffness[i] + t->stiffness[j]) * weight_of(length) * g->volume[j];
+        const double energy = 0.25 * c * s * s * length * g->volume[i];
         e.least_stretch = fmin(e.least_stretch, s);
         if (s > bears(t, i, j)) e.fracture += energy;
         else e.whole++;
         e.elastic += energy;
-        const double push = depth > 0.0 ? t->forces.repulsion * depth : 0.0;
-        if (depth > 0.0) e.contact += 0.25 * push * depth, e.touching++;
+        const double push = depth > 0.0 ? t->forces.repulsion * g->volume[j] * depth : 0.0;
+        if (depth > 0.0) e.contact += 0.25 * push * depth * g->volume[i], e.touching++;
         for (int a = 0; a < PDMC_AXES; a++)
             e.force[a] +=
                 c * s * (t->kind.linear ? along[a] / length : apart[a] / distance) - push * apart[a] / distance;
@@ -210,8 +217,9 @@ static void check_balance(pdmc_forces_kernel *kernel, variant kind)
         const size_t c = t.nodes.cell[k];
         for (int a = 0; a < PDMC_AXES; a++) {
             const int b = (a + 1) % 3, d = (a + 2) % 3;
-            sum[a] += t.force[a][c];
-            moment[a] += place[b][c] * t.force[d][c] - place[d][c] * t.force[b][c];
+            const double volume = t.nodes.volume[c];
+            sum[a] += volume * t.force[a][c];
+            moment[a] += volume * (place[b][c] * t.force[d][c] - place[d][c] * t.force[b][c]);
         }
     }
     for (int a = 0; a < PDMC_AXES; a++) {
@@ -231,6 +239,9 @@ static void check(pdmc_forces_kernel *kernel)
         {.factors = true},
         {.linear = true},
         {.linear = true, .strengthening = 0.25, .factors = true, .strengths = true},
+        {.scattered = true},
+        {.scattered = true, .strengthening = 0.25, .factors = true, .strengths = true},
+        {.scattered = true, .linear = true, .strengthening = 0.25, .factors = true, .strengths = true},
     };
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         check_kernel(kernel, kinds[k]);
