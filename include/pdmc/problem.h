@@ -107,6 +107,9 @@ typedef struct {
 /// physical input: the scatter of the effective modulus falls as 1 / sqrt(bins). "Radial process": the Z_b are correlated.
 /// Stiffness: a random field with the covariance and the variation.
 /// Noise of a load: a stationary normal process along the side with the covariance and the variation.
+/// Fracture energy with a correlation length: a field in space, of which every tip sees its own value. It has the law at every
+/// point, and the normal variables behind two points have the covariance's correlation at their distance; what other scalars
+/// share with it they share with the whole field, and the covariance is that of the rest.
 typedef struct {
     pdmc_quantity quantity;
     pdmc_distribution_kind distribution;
@@ -117,7 +120,7 @@ typedef struct {
     pdmc_radial_model model;    // of the micromodulus
     int bins;                   // of the micromodulus, >= 1
     double variation;           // of a function: coefficient of variation at a point, >= 0
-    pdmc_covariance covariance; // of a stiffness, the noise of a load, and a radial process
+    pdmc_covariance covariance; // of a stiffness, the noise of a load, a radial process, and a fracture energy with a length
     bool has_length, has_smoothness;
     int modes; // of their expansion
     int crack; // that a length, an angle or a shift is of
@@ -295,8 +298,17 @@ static inline bool pdmc_is_of_sides(pdmc_quantity quantity, pdmc_quantity first)
 /// the crack, 0 for its angle and shift and for the direction of a load.
 PDMC_API double pdmc_problem_nominal(const pdmc_problem *problem, pdmc_quantity quantity);
 
+/// Whether the fracture energy varies in space, so that every tip has one of its own.
+PDMC_API bool pdmc_problem_varies_toughness(const pdmc_problem *problem);
+
 /// Whether the place of a crack is random, so that every sample has a plate of its own.
 PDMC_API bool pdmc_problem_moves_cracks(const pdmc_problem *problem);
+
+/// Where a tip is, by its number; [2], a part of `cracks`.
+static inline const double *pdmc_crack_end(const pdmc_crack cracks[], int tip)
+{
+    return tip % 2 ? cracks[tip / 2].to : cracks[tip / 2].from;
+}
 
 /// By how much a crack is turned; radians.
 /// @param[in] value  [PDMC_SCALARS] of the scalar quantities

@@ -262,7 +262,7 @@ typedef struct {
     double *contraction;        // [S] measured factor of the Neumann expansion; NaN with direct solves
     pdmc_sample_accuracy accuracy;
     double *growth_given_rest;      // [S, T] P(the tip grows | all but the load); NaN where it is not known
-    double *sample_fracture_energy; // [S] force / length
+    double *sample_fracture_energy; // [S, T] force / length
     uint8_t *failure;           // [S] pdmc_sample_failure
     uint8_t *sample_solver;     // [S] pdmc_sample_solver
     double *stress_intensity;   // [S, T, 2] K_I, K_II

@@ -56,6 +56,12 @@ double pdmc_problem_nominal(const pdmc_problem *problem, pdmc_quantity quantity)
     }
 }
 
+bool pdmc_problem_varies_toughness(const pdmc_problem *problem)
+{
+    const pdmc_uncertainty *uncertainty = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_FRACTURE_ENERGY);
+    return uncertainty && uncertainty->has_length;
+}
+
 bool pdmc_problem_moves_sides(const pdmc_problem *problem)
 {
     for (int s = 0; s < problem->support_count; s++)
@@ -121,8 +127,7 @@ double pdmc_wave_speed(const pdmc_material *material, double density)
 
 bool pdmc_problem_is_tip(const pdmc_problem *problem, int tip)
 {
-    const pdmc_crack *crack = &problem->cracks[tip / 2];
-    const double *end = tip % 2 ? crack->to : crack->from;
+    const double *end = pdmc_crack_end(problem->cracks, tip);
     return fabs(end[0]) < 0.5 * problem->plate.width && fabs(end[1]) < 0.5 * problem->plate.height;
 }
 

@@ -9,7 +9,7 @@
 #define REPLICATES "/statistics/replicates"
 #define GIVEN_REST "/samples/growth_given_rest"
 #define CONDITIONAL "/statistics/conditional_probability"
-#define FRACTURE_ENERGY "/samples/fracture_energy"
+#define FRACTURE_ENERGY "/samples/tip_fracture_energy"
 #define SOLVER "/samples/solver"
 #define LARGEST "/samples/largest_"
 #define ACCURACY "/solver/samples/"
@@ -222,7 +222,7 @@ const pdmc_dataset pdmc_datasets[] = {
     MODEL_ERRORS("griffith_energy", PDMC_MEASURE_GRIFFITH),
     REALS(GIVEN_REST, growth_given_rest, NONE, "probability of growth given all but the load, NaN where it is not known",
           PDMC_DIM_SAMPLE, PDMC_DIM_TIP),
-    REALS(FRACTURE_ENERGY, sample_fracture_energy, ENERGY, "fracture energy G_c", PDMC_DIM_SAMPLE),
+    REALS(FRACTURE_ENERGY, sample_fracture_energy, ENERGY, "fracture energy G_c", PDMC_DIM_SAMPLE, PDMC_DIM_TIP),
     ARRAY(SOLVER, BYTE, uint8_t, sample_solver, NONE,
           "0 as asked, 1 by conjugate gradients, 2 what the expansion stands for, 3 by its own factorisation",
           PDMC_DIM_SAMPLE),

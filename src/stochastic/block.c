@@ -492,13 +492,13 @@ void pdmc_block_largest_energies(const pdmc_block *block, pdmc_measure measure, 
 }
 
 // P(the tip grows | all but the load): G goes with the square of the load, so that growth begins at one value of it.
-static double growth_given_rest(const pdmc_block *block, int s, double largest)
+static double growth_given_rest(const pdmc_block *block, int s, int t, double largest)
 {
     const pdmc_draw *draw = &block->drawn.draw[s];
     const pdmc_distribution *law = block->lone_load;
     if (!law || block->failure[s] != PDMC_SAMPLE_OK) return NAN;
     const double load = draw->value[PDMC_QUANTITY_LOAD - PDMC_FIRST_SCALAR];
-    const double toughness = fmax(pdmc_draw_fracture_energy(draw), 0.0);
+    const double toughness = fmax(draw->fracture_energy[t], 0.0);
     return largest > 0.0 ? pdmc_distribution_upper_tail(law, load * sqrt(toughness / largest)) : 0.0;
 }
 
@@ -512,7 +512,8 @@ static void store_tip(const pdmc_block *block, int count, int t, pdmc_results *r
         for (int k = 0; k < 2; k++)
             results->stress_intensity[2 * place + (size_t)k] = is_known ? find_intensity(block, s, t, k) : NAN;
         for (int m = 0; m < PDMC_MEASURES; m++) results->largest_energy[m][place] = is_known ? largest[m][s] : NAN;
-        results->growth_given_rest[place] = growth_given_rest(block, s, largest[block->problem->energy.measure][s]);
+        results->growth_given_rest[place] = growth_given_rest(block, s, t, largest[block->problem->energy.measure][s]);
+        results->sample_fracture_energy[place] = block->drawn.draw[s].fracture_energy[t];
     }
 }
 
@@ -538,7 +539,6 @@ void pdmc_block_store(const pdmc_block *block, int count, pdmc_results *results)
         results->contraction[sample] = block->contraction[s];
         results->failure[sample] = (uint8_t)block->failure[s];
         results->sample_solver[sample] = (uint8_t)block->solver[s];
-        results->sample_fracture_energy[sample] = pdmc_draw_fracture_energy(&block->drawn.draw[s]);
         if (sample < results->kept_count) store_details(block, s, results);
     }
     for (int t = 0; t < results->tip_count; t++) store_tip(block, count, t, results);

@@ -108,9 +108,14 @@ void pdmc_certify_goal(const pdmc_variables *variables, const pdmc_results *resu
                                 .intensity = is_griffith ? intensity : NULL};
 }
 
+static size_t place_of(const pdmc_results *results, int sample, int tip)
+{
+    return (size_t)sample * (size_t)results->tip_count + (size_t)tip;
+}
+
 static double largest_energy(const pdmc_results *results, pdmc_measure measure, int sample, int tip)
 {
-    return fmax(results->largest_energy[measure][(size_t)sample * (size_t)results->tip_count + (size_t)tip], 0.0);
+    return fmax(results->largest_energy[measure][place_of(results, sample, tip)], 0.0);
 }
 
 double pdmc_certify_relative(const pdmc_results *results, pdmc_measure measure, int sample, double delta)
@@ -127,7 +132,8 @@ bool pdmc_certify_is_in_doubt(const pdmc_results *results, int sample, double de
 {
     for (int t = 0; t < results->tip_count; t++) {
         const double root = sqrt(largest_energy(results, results->measure, sample, t));
-        if (fabs(root - sqrt(results->sample_fracture_energy[sample])) <= delta) return true;
+        const double toughness = results->sample_fracture_energy[place_of(results, sample, t)];
+        if (fabs(root - sqrt(toughness)) <= delta) return true;
     }
     return false;
 }

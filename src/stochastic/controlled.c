@@ -72,8 +72,8 @@ static double threshold_of(const pdmc_results *cheaper, const pdmc_results *resu
 
 static bool grows(const pdmc_results *results, int sample, int tip, double threshold)
 {
-    return results->largest_energy[results->measure][sample * results->tip_count + tip] >
-           threshold * results->sample_fracture_energy[sample];
+    const size_t place = (size_t)sample * (size_t)results->tip_count + (size_t)tip;
+    return results->largest_energy[results->measure][place] > threshold * results->sample_fracture_energy[place];
 }
 
 static double width(const pdmc_estimate *estimate)

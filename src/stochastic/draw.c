@@ -8,11 +8,6 @@ static double scalar(const pdmc_draw *draw, pdmc_quantity quantity)
     return draw->value[quantity - PDMC_FIRST_SCALAR];
 }
 
-double pdmc_draw_fracture_energy(const pdmc_draw *draw)
-{
-    return scalar(draw, PDMC_QUANTITY_FRACTURE_ENERGY);
-}
-
 static double radial_modulus(const pdmc_affine *model, const double micromodulus[])
 {
     double modulus = 1.0;
@@ -63,6 +58,7 @@ void pdmc_draw_mean(const pdmc_problem *problem, const pdmc_affine *model, pdmc_
 {
     for (int q = 0; q < PDMC_SCALARS; q++)
         draw->value[q] = pdmc_problem_nominal(problem, (pdmc_quantity)(PDMC_FIRST_SCALAR + q));
+    for (int t = 0; t < model->tips; t++) draw->fracture_energy[t] = scalar(draw, PDMC_QUANTITY_FRACTURE_ENERGY);
     for (int l = 0; l < model->cases; l++) draw->load_pattern[l] = l == 1;
     for (int b = 0; b < model->bins; b++) draw->micromodulus[b] = 1.0;
     for (int m = model->radial_terms; m < model->terms; m++) draw->xi[m] = 0.0;

@@ -46,24 +46,35 @@ void pdmc_growth_clear(pdmc_growth *growth)
     *growth = (pdmc_growth){0};
 }
 
-static double growth_of(const pdmc_growth *growth, const pdmc_block *block, int s)
+static double growth_of_tip(const pdmc_block *block, int s, int t)
 {
-    const double toughness = pdmc_draw_fracture_energy(&block->drawn.draw[s]);
-    double largest = 0.0;
-    if (block->failure[s] != PDMC_SAMPLE_OK) return NAN;
-    for (int t = 0; t < growth->results->tip_count; t++)
-        if (growth->tip < 0 || growth->tip == t) largest = fmax(largest, pdmc_block_largest_energy(block, s, t));
+    const double energy = pdmc_block_largest_energy(block, s, t);
+    const double toughness = block->drawn.draw[s].fracture_energy[t];
     if (toughness <= 0.0) return certain;
-    if (largest <= 0.0) return -certain;
-    return fmax(-certain, fmin(certain, log(largest / toughness)));
+    if (energy <= 0.0) return -certain;
+    return fmax(-certain, fmin(certain, log(energy / toughness)));
 }
 
-// The event hangs on the sign of g alone: within its bound, (1 +- delta / sqrt(G))^2, a reduced answer does not tell it.
-static bool is_in_doubt(const pdmc_block *block, int s, double g, double delta)
+static double growth_of(const pdmc_growth *growth, const pdmc_block *block, int s)
 {
-    if (isnan(g)) return false;
-    const double toughness = pdmc_draw_fracture_energy(&block->drawn.draw[s]);
-    return fabs(exp(0.5 * g) - 1.0) * sqrt(fmax(toughness, 0.0)) <= delta;
+    double largest = -certain;
+    if (block->failure[s] != PDMC_SAMPLE_OK) return NAN;
+    for (int t = 0; t < growth->results->tip_count; t++)
+        if (growth->tip < 0 || growth->tip == t) largest = fmax(largest, growth_of_tip(block, s, t));
+    return largest;
+}
+
+// The event hangs on the sign of g alone. A tip that grows by more than delta grows, and where all are below G_c by more
+// none does; in between, a reduced answer does not tell.
+static bool is_in_doubt(const pdmc_growth *growth, const pdmc_block *block, int s, double delta)
+{
+    double most = -INFINITY; // of sqrt(G) - sqrt(G_c)
+    for (int t = 0; t < growth->results->tip_count; t++) {
+        const double toughness = fmax(block->drawn.draw[s].fracture_energy[t], 0.0);
+        if (growth->tip < 0 || growth->tip == t)
+            most = fmax(most, sqrt(pdmc_block_largest_energy(block, s, t)) - sqrt(toughness));
+    }
+    return fabs(most) <= delta;
 }
 
 static void measure(const pdmc_growth *growth, pdmc_block *block)
@@ -84,7 +95,7 @@ static pdmc_status solve_block(pdmc_growth *growth, pdmc_block *block, int count
     if (is_reduced) pdmc_certify_root_energies(block, count, growth->results, block->problem->energy.measure, delta);
     for (int s = 0; s < count; s++) {
         g[s] = growth_of(growth, block, s);
-        doubt[s] = is_reduced && is_in_doubt(block, s, g[s], delta[s]);
+        doubt[s] = is_reduced && !isnan(g[s]) && is_in_doubt(growth, block, s, delta[s]);
     }
     return PDMC_OK;
 }

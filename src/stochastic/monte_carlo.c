@@ -137,7 +137,7 @@ static pdmc_status allocate_samples(const pdmc_problem *problem, pdmc_results *r
     PDMC_NEW(results->contraction, samples);
     PDMC_NEW(results->failure, samples);
     PDMC_NEW(results->sample_solver, samples);
-    PDMC_NEW(results->sample_fracture_energy, samples);
+    PDMC_NEW(results->sample_fracture_energy, samples * tips);
     PDMC_NEW(results->growth_given_rest, samples * tips);
     PDMC_NEW(results->stress_intensity, samples * 2 * tips);
     for (int m = 0; m < PDMC_MEASURES; m++) {

@@ -175,9 +175,10 @@ static pdmc_estimate find_conditional(const pdmc_results *results, int tip, doub
 static void mark_growth(const pdmc_results *results, int tip, bool event[])
 {
     const double *largest = results->largest_energy[results->measure];
-    for (size_t s = 0; s < (size_t)results->sample_count; s++)
-        event[s] = results->failure[s] == PDMC_SAMPLE_OK &&
-                   largest[s * (size_t)results->tip_count + (size_t)tip] > results->sample_fracture_energy[s];
+    for (size_t s = 0; s < (size_t)results->sample_count; s++) {
+        const size_t place = s * (size_t)results->tip_count + (size_t)tip;
+        event[s] = results->failure[s] == PDMC_SAMPLE_OK && largest[place] > results->sample_fracture_energy[place];
+    }
 }
 
 static void summarise_tip(const pdmc_sample_counts *counts, pdmc_results *results, int tip, double share[],

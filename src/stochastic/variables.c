@@ -2,6 +2,7 @@
 #include "stochastic/variables.h"
 
 #include "base/base_impl.h"
+#include "stochastic/toughness.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -42,6 +43,7 @@ static int count_of(const pdmc_affine *model, const pdmc_uncertainty *uncertaint
     case PDMC_QUANTITY_LOAD_NOISE_RIGHT:
     case PDMC_QUANTITY_LOAD_NOISE_BOTTOM:
     case PDMC_QUANTITY_LOAD_NOISE_TOP: return uncertainty->modes;
+    case PDMC_QUANTITY_FRACTURE_ENERGY: return uncertainty->has_length ? model->tips : 1;
     default: return 1;
     }
 }
@@ -69,18 +71,48 @@ done:
     return status;
 }
 
+// What a field shares with other quantities has one value, and the rest is the field's own: it is the last to be drawn.
+static pdmc_status correlate_scalars(pdmc_variables *v)
+{
+    const bool has_field = pdmc_problem_varies_toughness(v->problem);
+    double of_all[PDMC_SCALARS * PDMC_SCALARS], ordered[PDMC_SCALARS * PDMC_SCALARS];
+    int count = 0;
+    for (int q = PDMC_FIRST_SCALAR; q < PDMC_QUANTITIES; q++)
+        if (!has_field || q != PDMC_QUANTITY_FRACTURE_ENERGY) v->order[count++] = (pdmc_quantity)q;
+    if (has_field) v->order[count] = PDMC_QUANTITY_FRACTURE_ENERGY;
+    pdmc_problem_correlation(v->problem, of_all);
+    for (int i = 0; i < PDMC_SCALARS; i++)
+        for (int j = 0; j < PDMC_SCALARS; j++)
+            ordered[i * PDMC_SCALARS + j] =
+                of_all[((int)v->order[i] - PDMC_FIRST_SCALAR) * PDMC_SCALARS + (int)v->order[j] - PDMC_FIRST_SCALAR];
+    return pdmc_copula_factor(PDMC_SCALARS, ordered, v->copula);
+}
+
+// Once for all samples where the tips stay where they are.
+static pdmc_status correlate_tips(pdmc_variables *v)
+{
+    pdmc_status status = PDMC_OK;
+    const int tips = v->model->tips;
+    const double none[PDMC_SCALARS] = {0.0}; // places no crack
+    const bool is_of_all = pdmc_problem_varies_toughness(v->problem) && !pdmc_problem_moves_cracks(v->problem);
+    if (tips == 0 || !is_of_all) return PDMC_OK;
+    PDMC_NEW(v->toughness_factor, tips * tips);
+    PDMC_TRY(pdmc_toughness_factor(v->problem, none, v->toughness_factor));
+done:
+    return status;
+}
+
 pdmc_status pdmc_variables_create(const pdmc_problem *problem, const pdmc_affine *model, pdmc_variables *out)
 {
     pdmc_status status = PDMC_OK;
-    double correlation[PDMC_SCALARS * PDMC_SCALARS];
     *out = (pdmc_variables){.problem = problem, .model = model};
     for (int q = PDMC_FIRST_SCALAR; q < PDMC_QUANTITIES; q++) add_group(out, (pdmc_quantity)q);
     for (int side = 0; side < PDMC_SIDES; side++)
         add_group(out, (pdmc_quantity)(PDMC_QUANTITY_LOAD_NOISE_LEFT + side));
     add_group(out, PDMC_QUANTITY_STIFFNESS);
     add_group(out, PDMC_QUANTITY_MICROMODULUS);
-    pdmc_problem_correlation(problem, correlation);
-    PDMC_TRY(pdmc_copula_factor(PDMC_SCALARS, correlation, out->copula));
+    PDMC_TRY(correlate_scalars(out));
+    PDMC_TRY(correlate_tips(out));
     PDMC_TRY(correlate_radius(out));
     PDMC_NEW(out->load_case, pdmc_load_case_count(problem));
     pdmc_load_case_list(problem, out->load_case);
@@ -96,6 +128,7 @@ done:
 void pdmc_variables_clear(pdmc_variables *variables)
 {
     pdmc_free(variables->radial_factor);
+    pdmc_free(variables->toughness_factor);
     pdmc_free(variables->load_case);
     pdmc_design_destroy(&variables->design);
     *variables = (pdmc_variables){0};
@@ -138,21 +171,57 @@ void pdmc_variables_sample(const pdmc_variables *variables, uint64_t sample, dou
     pdmc_normal_quantiles((size_t)variables->count, z);
 }
 
-static void draw_scalars(const pdmc_variables *v, const double z[], pdmc_draw *draw)
+static double draw_scalar(const pdmc_variables *v, int place, const double normal[])
+{
+    const pdmc_uncertainty *uncertainty = pdmc_problem_uncertainty(v->problem, v->order[place]);
+    double correlated = 0.0;
+    if (!uncertainty) return pdmc_problem_nominal(v->problem, v->order[place]);
+    for (int k = 0; k <= place; k++) correlated += v->copula[place * PDMC_SCALARS + k] * normal[k];
+    return pdmc_distribution_value(&uncertainty->law, correlated);
+}
+
+// Every tip has the field's value in the place of that of the first.
+// normal: [PDMC_SCALARS] in the copula's order
+static void draw_toughness(const pdmc_variables *v, const double factor[], const double w[], double normal[],
+                           double toughness[])
+{
+    const int tips = v->model->tips, last = PDMC_SCALARS - 1;
+    for (int t = 0; t < tips; t++) {
+        normal[last] = 0.0;
+        for (int k = 0; k <= t; k++) normal[last] += factor[t * tips + k] * w[k];
+        toughness[t] = draw_scalar(v, last, normal);
+    }
+}
+
+static pdmc_status draw_toughness_of_moved_tips(const pdmc_variables *v, const double w[], double normal[],
+                                                pdmc_draw *draw)
+{
+    pdmc_status status = PDMC_OK;
+    double *factor = NULL;
+    PDMC_NEW(factor, v->model->tips * v->model->tips);
+    PDMC_TRY(pdmc_toughness_factor(v->problem, draw->value, factor));
+    draw_toughness(v, factor, w, normal, draw->fracture_energy);
+done:
+    pdmc_free(factor);
+    return status;
+}
+
+static pdmc_status draw_scalars(const pdmc_variables *v, const double z[], pdmc_draw *draw)
 {
     double normal[PDMC_SCALARS] = {0};
-    for (int q = 0; q < PDMC_SCALARS; q++) {
-        const pdmc_variable_group *group = pdmc_variables_group(v, (pdmc_quantity)(PDMC_FIRST_SCALAR + q));
-        if (group) normal[q] = z[group->first];
+    const pdmc_variable_group *toughness = pdmc_variables_group(v, PDMC_QUANTITY_FRACTURE_ENERGY);
+    for (int i = 0; i < PDMC_SCALARS; i++) {
+        const pdmc_variable_group *group = pdmc_variables_group(v, v->order[i]);
+        if (group) normal[i] = z[group->first];
     }
-    for (int q = 0; q < PDMC_SCALARS; q++) {
-        const pdmc_quantity quantity = (pdmc_quantity)(PDMC_FIRST_SCALAR + q);
-        const pdmc_uncertainty *uncertainty = pdmc_problem_uncertainty(v->problem, quantity);
-        double correlated = 0.0;
-        for (int k = 0; k <= q; k++) correlated += v->copula[q * PDMC_SCALARS + k] * normal[k];
-        draw->value[q] = uncertainty ? pdmc_distribution_value(&uncertainty->law, correlated)
-                                     : pdmc_problem_nominal(v->problem, quantity);
-    }
+    for (int i = 0; i < PDMC_SCALARS; i++)
+        draw->value[(int)v->order[i] - PDMC_FIRST_SCALAR] = draw_scalar(v, i, normal);
+    for (int t = 0; t < v->model->tips; t++)
+        draw->fracture_energy[t] = draw->value[PDMC_QUANTITY_FRACTURE_ENERGY - PDMC_FIRST_SCALAR];
+    if (!toughness || toughness->count == 1) return PDMC_OK;
+    if (!v->toughness_factor) return draw_toughness_of_moved_tips(v, &z[toughness->first], normal, draw);
+    draw_toughness(v, v->toughness_factor, &z[toughness->first], normal, draw->fracture_energy);
+    return PDMC_OK;
 }
 
 static void draw_micromodulus(const pdmc_variables *v, const double z[], double micromodulus[])
@@ -211,10 +280,10 @@ done:
 
 pdmc_status pdmc_variables_draw(const pdmc_variables *variables, int count, const double z[], pdmc_draw draw[])
 {
-    const pdmc_status status = draw_field(variables, count, z, draw);
+    pdmc_status status = draw_field(variables, count, z, draw);
     for (int s = 0; s < count && status == PDMC_OK; s++) {
         const double *point = &z[s * variables->count];
-        draw_scalars(variables, point, &draw[s]);
+        status = draw_scalars(variables, point, &draw[s]);
         draw_micromodulus(variables, point, draw[s].micromodulus);
         for (int l = 1; l < variables->model->cases; l++)
             draw[s].load_pattern[l] = draw_load(variables, &variables->load_case[l - 1], point, &draw[s]);
@@ -227,7 +296,7 @@ pdmc_status pdmc_draws_create(const pdmc_variables *variables, pdmc_draws *out)
 {
     pdmc_status status = PDMC_OK;
     const pdmc_affine *model = variables->model;
-    const int each = model->bins + model->rings + model->tips + model->tips * model->angles + model->cases;
+    const int each = model->bins + model->rings + 2 * model->tips + model->tips * model->angles + model->cases;
     *out = (pdmc_draws){0};
     PDMC_NEW(out->z, PDMC_BLOCK * (size_t)variables->count);
     PDMC_NEW(out->xi, PDMC_BLOCK * (size_t)model->terms);
@@ -240,6 +309,7 @@ pdmc_status pdmc_draws_create(const pdmc_variables *variables, pdmc_draws *out)
         draw->tip_modulus = draw->ring_weight + model->rings;
         draw->direction_modulus = draw->tip_modulus + model->tips;
         draw->load_pattern = draw->direction_modulus + model->tips * model->angles;
+        draw->fracture_energy = draw->load_pattern + model->cases;
     }
 done:
     if (status != PDMC_OK) pdmc_draws_clear(out);

@@ -19,10 +19,12 @@ typedef struct {
     const pdmc_affine *model;
     int count, group_count;
     pdmc_variable_group groups[PDMC_QUANTITIES];
+    pdmc_quantity order[PDMC_SCALARS]; // of the scalars in the copula: a field comes last, the others as they are
     double copula[PDMC_SCALARS * PDMC_SCALARS]; // the factor of pdmc_copula_factor()
-    double *radial_factor;                      // [bins, modes] of a radial process; NULL for noise
-    pdmc_load_case *load_case;                  // [pdmc_load_case_count()]
-    pdmc_design *design;                        // NULL for plain Monte Carlo
+    double *toughness_factor;  // [tips, tips] of pdmc_toughness_factor(); NULL where there is none for all
+    double *radial_factor;     // [bins, modes] of a radial process; NULL for noise
+    pdmc_load_case *load_case; // [pdmc_load_case_count()]
+    pdmc_design *design;       // NULL for plain Monte Carlo
 } pdmc_variables;
 
 /// The draws of a block, with the arrays that they point to.

@@ -63,6 +63,17 @@ static pdmc_status check_target(const pdmc_study_reader *reader)
                              "there is no tip whose energy could be known, must be \"none\"");
 }
 
+// A field of which only one value is seen.
+static void warn_of_lone_tip(const pdmc_study_reader *reader)
+{
+    const pdmc_problem *p = reader->problem;
+    int index = 0;
+    if (!pdmc_problem_varies_toughness(p) || p->energy.tip_count != 1) return;
+    while (p->uncertainties[index].quantity != PDMC_QUANTITY_FRACTURE_ENERGY) index++;
+    pdmc_study_warn(reader, (pdmc_study_address){SECTION_RANDOM, index, "correlation_length"},
+                    "changes nothing where energies are asked for at a single tip");
+}
+
 pdmc_status pdmc_study_check_energy(const pdmc_study_reader *reader)
 {
     const pdmc_energy_request *energy = &reader->problem->energy;
@@ -70,6 +81,7 @@ pdmc_status pdmc_study_check_energy(const pdmc_study_reader *reader)
     if (status == PDMC_OK) status = check_target(reader);
     if (status != PDMC_OK) return status;
     if (energy->tip_count > 0) warn_of_extension(reader);
+    warn_of_lone_tip(reader);
     for (int i = 0; i < energy->tip_count; i++) warn_of_horizon(reader, energy->tips[i]);
     return PDMC_OK;
 }

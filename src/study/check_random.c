@@ -25,10 +25,21 @@ static void warn_of_negative_bins(const pdmc_study_reader *reader, int index)
                         u->bins, probability);
 }
 
+// A fracture energy is a field where the study says anything of its correlation.
+static bool needs_covariance(const pdmc_uncertainty *u)
+{
+    switch (u->quantity) {
+    case PDMC_QUANTITY_MICROMODULUS: return u->model == PDMC_RADIAL_PROCESS;
+    case PDMC_QUANTITY_FRACTURE_ENERGY:
+        return u->has_length || u->has_smoothness || u->covariance.kind != PDMC_COVARIANCE_EXPONENTIAL;
+    default: return u->quantity < PDMC_FIRST_SCALAR;
+    }
+}
+
 static pdmc_status check_covariance(const pdmc_study_reader *reader, int index)
 {
     const pdmc_uncertainty *u = &reader->problem->uncertainties[index];
-    const bool needs = u->quantity != PDMC_QUANTITY_MICROMODULUS || u->model == PDMC_RADIAL_PROCESS;
+    const bool needs = needs_covariance(u);
     const bool has_smoothness = needs && u->covariance.kind == PDMC_COVARIANCE_MATERN;
     if (needs && !u->has_length)
         return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "correlation_length"},
@@ -161,6 +172,14 @@ static pdmc_status check_crack(const pdmc_study_reader *reader, int index)
     return PDMC_OK;
 }
 
+static pdmc_status check_scalar(const pdmc_study_reader *reader, int index)
+{
+    const pdmc_status status = pdmc_study_make_law(reader, index);
+    if (status != PDMC_OK) return status;
+    warn_of_negative_values(reader, index);
+    return check_covariance(reader, index);
+}
+
 pdmc_status pdmc_study_check_random(const pdmc_study_reader *reader)
 {
     pdmc_status status = PDMC_OK;
@@ -171,8 +190,7 @@ pdmc_status pdmc_study_check_random(const pdmc_study_reader *reader)
             if (p->uncertainties[j].quantity == p->uncertainties[i].quantity)
                 return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, i, "quantity"},
                                          "there already, must be once for each quantity");
-        PDMC_TRY(is_scalar ? pdmc_study_make_law(reader, i) : check_function(reader, i));
-        if (is_scalar) warn_of_negative_values(reader, i);
+        PDMC_TRY(is_scalar ? check_scalar(reader, i) : check_function(reader, i));
         PDMC_TRY(check_load(reader, i));
         if (p->uncertainties[i].quantity >= PDMC_FIRST_OF_CRACK) PDMC_TRY(check_crack(reader, i));
     }

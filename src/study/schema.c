@@ -62,6 +62,7 @@
 #define NOISE (15U * ONLY(PDMC_QUANTITY_LOAD_NOISE_LEFT)) // of the four sides
 #define FUNCTION (MICROMODULUS | STIFFNESS | NOISE)
 #define SCALAR (~FUNCTION)
+#define CORRELATED (FUNCTION | ONLY(PDMC_QUANTITY_FRACTURE_ENERGY)) // in space
 #define OF_CRACK (~(ONLY(PDMC_FIRST_OF_CRACK) - 1U))
 #define OF_LAW(key, id, allowed, text)                                                                                 \
     {SECTION_RANDOM, key, KIND_OPTIONAL, .range = allowed, .offset = offsetof(pdmc_uncertainty, given.value[id]),       \
@@ -286,8 +287,8 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_RANDOM, "quantity", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, quantity), .choices = QUANTITIES,
      .doc = "what is uncertain, each quantity once; the load is one factor on all tractions, load_top one on that of a side, "
             "load_direction_top turns that by degrees, counter-clockwise, load_noise_top is a normal process along the side by "
-            "which it varies; stiffness is a field in space; "
-            "a crack is as long as crack_length, turned about its middle by crack_angle in degrees, and shifted by crack_x "
+            "which it varies; stiffness is a field in space, and with a correlation_length so is the fracture_energy, of which every tip sees its own "
+            "value; a crack is as long as crack_length, turned about its middle by crack_angle in degrees, and shifted by crack_x "
             "and crack_y: every sample is then discretised anew"},
     {SECTION_RANDOM, "crack", KIND_CRACK, .offset = offsetof(pdmc_uncertainty, crack), .quantities = OF_CRACK,
      .fallback = "the first crack", .doc = "that a length, an angle or a shift is of"},
@@ -301,14 +302,16 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .choices = DISTRIBUTIONS, .quantities = SCALAR | STIFFNESS, .fallback = "normal",
      .doc = "of the quantity; of a stiffness normal or lognormal at every point"},
     {SECTION_RANDOM, "covariance", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, covariance.kind),
-     .choices = COVARIANCES, .quantities = FUNCTION, .fallback = "exponential",
-     .doc = "exp(-r/l), exp(-r^2/l^2), or Matern's, of a field, of noise along a side, or of a radial process"},
+     .choices = COVARIANCES, .quantities = CORRELATED, .fallback = "exponential",
+     .doc = "exp(-r/l), exp(-r^2/l^2), or Matern's, of a field, of noise along a side, or of a radial process; that of a fracture "
+            "energy is of the normal variables behind it, and of what it does not share with correlated quantities"},
     {SECTION_RANDOM, "correlation_length", KIND_OPTIONAL, UNIT_LENGTH, POSITIVE,
      offsetof(pdmc_uncertainty, covariance.length), offsetof(pdmc_uncertainty, has_length),
-     .quantities = FUNCTION, .fallback = "none", .doc = "l of the covariance"},
+     .quantities = CORRELATED, .fallback = "none",
+     .doc = "l of the covariance; without it a fracture energy is the same at all tips"},
     {SECTION_RANDOM, "smoothness", KIND_OPTIONAL, .range = FROM_TO(0.05, 20.0),
      .offset = offsetof(pdmc_uncertainty, covariance.smoothness), .flag = offsetof(pdmc_uncertainty, has_smoothness),
-     .quantities = FUNCTION, .fallback = "none", .doc = "nu of Matern's covariance"},
+     .quantities = CORRELATED, .fallback = "none", .doc = "nu of Matern's covariance"},
     {SECTION_RANDOM, "modes", KIND_INT, .range = FROM_TO(1, 2000), .offset = offsetof(pdmc_uncertainty, modes),
      .quantities = FUNCTION, .fallback = "50",
      .doc = "normal variables of the expansion of a field, of noise along a side, or of a radial process"},

@@ -142,6 +142,7 @@ static void write_samples_header(const pdmc_results *r, const csv_units *units, 
         {".K_II", units->stress_intensity},
         {".bond_energy_max", units->energy},
         {".griffith_energy_max", units->energy},
+        {".fracture_energy", units->energy},
     };
     fputs("sample,failure,load_factor,effective_modulus,contraction", stream);
     for (int t = 0; t < r->tip_count; t++)
@@ -169,10 +170,10 @@ static pdmc_status write_samples(const pdmc_results *r, const csv_units *units, 
         pdmc_csv_number(stream, r->effective_modulus[s]);
         pdmc_csv_number(stream, r->contraction[s]);
         for (int t = 0; t < r->tip_count; t++) {
-            const double *k = &r->stress_intensity[2 * ((size_t)s * (size_t)r->tip_count + (size_t)t)];
-            pdmc_csv_number(stream, k[0]);
-            pdmc_csv_number(stream, k[1]);
-            for (int m = 0; m < PDMC_MEASURES; m++) pdmc_csv_number(stream, r->largest_energy[m][(size_t)s * (size_t)r->tip_count + (size_t)t]);
+            const size_t place = (size_t)s * (size_t)r->tip_count + (size_t)t;
+            for (size_t k = 0; k < 2; k++) pdmc_csv_number(stream, r->stress_intensity[2 * place + k]);
+            for (int m = 0; m < PDMC_MEASURES; m++) pdmc_csv_number(stream, r->largest_energy[m][place]);
+            pdmc_csv_number(stream, r->sample_fracture_energy[place]);
         }
         fputc('\n', stream);
     }

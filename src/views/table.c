@@ -19,15 +19,20 @@ const char *pdmc_one_line(char text[PDMC_LINE_SIZE], const char *from)
     return text;
 }
 
-// Of the samples: their range where it is random.
+// Of the samples: their range where it is random, and whether tips have their own.
 static void print_toughness(const pdmc_results *r, FILE *stream)
 {
     double least = INFINITY, most = -INFINITY;
-    for (int s = 0; s < r->sample_count && r->sample_fracture_energy; s++) {
-        least = fmin(least, r->sample_fracture_energy[s]);
-        most = fmax(most, r->sample_fracture_energy[s]);
+    bool is_own = false;
+    for (size_t s = 0; s < (size_t)r->sample_count && r->sample_fracture_energy; s++) {
+        const double *toughness = &r->sample_fracture_energy[s * (size_t)r->tip_count];
+        for (int t = 0; t < r->tip_count; t++) {
+            least = fmin(least, toughness[t]);
+            most = fmax(most, toughness[t]);
+            is_own = is_own || toughness[t] < toughness[0] || toughness[t] > toughness[0];
+        }
     }
-    if (least < most) fprintf(stream, "from %.4g to %.4g", least, most);
+    if (least < most) fprintf(stream, "%sfrom %.4g to %.4g", is_own ? "of each tip " : "", least, most);
     else fprintf(stream, "= %.6g", r->fracture_energy);
 }
 

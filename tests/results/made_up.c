@@ -172,7 +172,6 @@ static void make_sample(pdmc_results *r, int s, uint64_t *state)
     }
     r->load_factor[s] = 1.0 + 0.2 * normal(state);
     r->effective_modulus[s] = modulus;
-    r->sample_fracture_energy[s] = r->fracture_energy;
     r->contraction[s] = 0.05 * uniform(state);
     const bool failed = s < r->failed_count;
     r->failure[s] = failed ? PDMC_SAMPLE_DIVERGED : PDMC_SAMPLE_OK;
@@ -188,6 +187,7 @@ static void make_sample(pdmc_results *r, int s, uint64_t *state)
                 r->energy[m][i] = failed ? NAN : (m ? 0.175 : 0.13) * scale * shape(angle, (pdmc_measure)m);
         }
         for (int m = 0; m < PDMC_MEASURES; m++) r->largest_energy[m][s * r->tip_count + t] = largest_of(r, m, s, t);
+        r->sample_fracture_energy[s * r->tip_count + t] = r->fracture_energy;
     }
 }
 
@@ -198,7 +198,7 @@ static void make_samples(pdmc_results *r)
     r->load_factor = NEW(samples, double);
     r->micromodulus = NEW(samples * (size_t)r->bin_count, double);
     r->effective_modulus = NEW(samples, double);
-    r->sample_fracture_energy = NEW(samples, double);
+    r->sample_fracture_energy = NEW(samples * tips, double);
     r->sample_solver = NEW(samples, uint8_t);
     r->contraction = NEW(samples, double);
     r->failure = NEW(samples, uint8_t);

@@ -184,7 +184,8 @@ static void an_older_file_has_all_energies(void **state)
 {
     (void)state;
     const char *path = scratch_path("older.h5"), *const later[] = {"largest_bond_energy", "largest_griffith_energy",
-                                                                   "growth_given_rest", "fracture_energy", "solver"};
+                                                                   "growth_given_rest", "tip_fracture_energy",
+                                                                   "solver"};
     pdmc_results now, results;
     hid_t file = open_copy(path);
     H5Fclose(file);

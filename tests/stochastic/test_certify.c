@@ -22,7 +22,7 @@ typedef struct {
     pdmc_block block;
     pdmc_tip tip;
     double angle[ANGLES], ring[RINGS], ring_weight[BINS * RINGS], tip_modulus[1], direction[ANGLES], intensity[2];
-    double largest[1], toughness[1];
+    double largest[4], toughness[4]; // of two samples of two tips
 } fixture;
 
 static void fixture_make(fixture *f)
@@ -134,6 +134,15 @@ static void a_root_decides(void **state)
     for (int k = 0; k < 4; k++) {
         f.toughness[0] = toughness[k];
         assert_int_equal(pdmc_certify_is_in_doubt(&f.results, 0, 0.1), k == 1 || k == 2);
+    }
+    f.results.tip_count = 2; // a tip of the second sample, which has its own G_c, may be in doubt as well
+    for (int k = 0; k < 4; k++) {
+        for (int i = 0; i < 4; i++) f.largest[i] = 4.0 + i;
+        for (int i = 0; i < 4; i++) f.toughness[i] = 4.0 + i;
+        f.toughness[2] = 1.0;
+        f.toughness[3] = toughness[k] * 7.0 / 4.0; // roots that differ by 0.11 or 0.09, times sqrt(7 / 4)
+        assert_true(pdmc_certify_is_in_doubt(&f.results, 0, 0.1));
+        assert_int_equal(pdmc_certify_is_in_doubt(&f.results, 1, 0.1 * sqrt(7.0 / 4.0)), k == 1 || k == 2);
     }
 }
 

@@ -25,7 +25,7 @@ typedef struct {
     pdmc_problem problem;
     pdmc_affine model;
     double weights[BINS * TERMS], modulus[BINS], rings[BINS];
-    double micromodulus[BINS], xi[TERMS + 1], ring_weight[1], tip_modulus[1], direction_modulus[1];
+    double micromodulus[BINS], xi[TERMS + 1], ring_weight[1], tip_modulus[1], direction_modulus[1], toughness[1];
     double tip_stiffness, direction_stiffness;
     pdmc_draw draw;
 } sample;
@@ -48,8 +48,10 @@ static void sample_make(sample *s)
                           .xi = s->xi,
                           .ring_weight = s->ring_weight,
                           .tip_modulus = s->tip_modulus,
-                          .direction_modulus = s->direction_modulus};
+                          .direction_modulus = s->direction_modulus,
+                          .fracture_energy = s->toughness};
     pdmc_draw_mean(&s->problem, &s->model, &s->draw);
+    assert_true(s->toughness[0] == 1.0);
 }
 
 static double *value_of(sample *s, pdmc_quantity quantity)

@@ -3,7 +3,7 @@
 /// Growth as a limit state of the toy, and what the methods of reliability say of it.
 
 #include "stochastic/growth.h"
-#include "stochastic/toy.h"
+#include "stochastic/two_tips.h"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
@@ -74,55 +74,7 @@ static void both_methods_find_the_closed_form(void **state)
     pdmc_results_clear(&r);
 }
 
-/// Two unknowns, each with its own bin and its own tip: K_I = S / c_t, so that the tips grow by themselves but for the load.
-typedef struct {
-    toy base;
-    double term[4], modulus[2], solution[2][2], intensity[8], ring_weight[2], row[2 * ANGLES][2];
-    pdmc_crossing crossing[2 * ANGLES];
-    pdmc_uncertainty quantities[2];
-    int tips[2];
-} two_tips;
-
-static pdmc_status two_tips_solve(const pdmc_affine *model, const double xi[], const double scale[], double x[])
-{
-    (void)model;
-    for (int t = 0; t < 2; t++) x[t] = scale[1] / (1.0 + xi[t]);
-    return PDMC_OK;
-}
-
-static const pdmc_affine_verbs two_tips_verbs = {.solve = two_tips_solve, .destroy = toy_destroy};
-
-static const double scatter = 0.08; // of c_t, and of the logarithm of the load
 static const double strength = 2.0; // K_I at growth
-
-static void two_tips_make(two_tips *t)
-{
-    *t = (two_tips){.term = {1.0, 0.0, 0.0, 1.0}, .solution = {{0.0, 0.0}, {1.0, 1.0}}, .tips = {0, 1}};
-    toy_make(&t->base, 0.0, 0.0);
-    t->intensity[0] = t->intensity[5] = 1.0; // of K_I at either tip; those of K_II are 0
-    t->quantities[0] = toy_scalar(PDMC_QUANTITY_LOAD, PDMC_LOGNORMAL, 0.0, scatter);
-    t->quantities[1] = (pdmc_uncertainty){PDMC_QUANTITY_MICROMODULUS, .bins = 2, .variation = scatter};
-    for (int d = 0; d < 2 * ANGLES; d++)
-        t->crossing[d] = (pdmc_crossing){.bonds = 1, .row = t->row[d], .ring = &t->base.ring};
-    pdmc_affine *model = &t->base.model;
-    model->unknowns = model->terms = model->radial_terms = model->bins = model->tips = 2;
-    model->term_weight = t->term;
-    model->modulus_weight = t->modulus;
-    model->stress_intensity = t->intensity;
-    model->ring_weight = t->ring_weight;
-    model->crossings = t->crossing;
-    model->verbs = &two_tips_verbs;
-    model->solution = t->solution[0];
-    pdmc_problem *problem = &t->base.problem;
-    problem->uncertainties = t->quantities;
-    problem->material.fracture_energy = strength * strength;
-    problem->sampling.samples = 100;
-    problem->sampling.inverse = PDMC_INVERSE_DIRECT;
-    problem->energy.measure = PDMC_MEASURE_GRIFFITH;
-    problem->energy.tip_count = 2;
-    problem->energy.tips = t->tips;
-    problem->reliability = (pdmc_reliability_request){PDMC_RARE_BOTH, 0.06, 1000000, 0};
-}
 
 // P(S / min c > strength): given the load, 1 - (1 - Phi((S / strength - 1) / v))^2, summed over the load by the trapezoidal
 // rule, which is exact to rounding for such functions.
@@ -144,6 +96,8 @@ static void each_tip_has_its_design_point(void **state)
     two_tips t;
     pdmc_results r;
     two_tips_make(&t);
+    t.base.problem.material.fracture_energy = strength * strength;
+    t.base.problem.reliability = (pdmc_reliability_request){PDMC_RARE_BOTH, 0.06, 1000000, 0};
     CHECK_OK(toy_run(&t.base, &one_thread, &r));
     const double exact = probability_of_either();
     assert_int_equal(r.reliability.record_count, 2);

@@ -103,6 +103,7 @@ static void expect_refusals(const char *const mistakes[][2], size_t count)
 
 #define EXPECT_REFUSALS(mistakes) expect_refusals((mistakes), sizeof(mistakes) / sizeof *(mistakes))
 #define LOAD(settings) "random = ( { quantity = \"load\"; " settings " } );"
+#define TOUGHNESS(settings) "random = ( { quantity = \"fracture_energy\"; " settings " } );"
 #define STIFFNESS(settings) "random = ( { quantity = \"stiffness\"; " settings " } );"
 
 static void parameters_that_make_no_distribution(void **state)
@@ -141,6 +142,46 @@ static void parameters_that_make_no_distribution(void **state)
          "random[0].distribution: a uniform distribution has no probability between 2 and inf, where it is cut off"},
     };
     EXPECT_REFUSALS(mistakes);
+}
+
+static void expect_warnings(const char *text, const char *warnings)
+{
+    pdmc_study study;
+    CHECK_OK(read_with(LINE_RANDOM, text, &study));
+    assert_string_equal(study.warnings, warnings);
+    pdmc_study_clear(&study);
+}
+
+// A fracture energy in space has any distribution, and one value where it has no length.
+static void fracture_energies_in_space(void **state)
+{
+    (void)state;
+    static const char *const mistakes[][2] = {
+        {TOUGHNESS("covariance = \"gaussian\";"), "random[0].correlation_length: is missing, must be a real > 0"},
+        {TOUGHNESS("smoothness = 2;"), "random[0].correlation_length: is missing, must be a real > 0"},
+        {TOUGHNESS("correlation_length = 1; covariance = \"matern\";"),
+         "random[0].smoothness: is missing, must be a real from 0.05 to 20 with covariance = \"matern\""},
+        {TOUGHNESS("correlation_length = 1; smoothness = 2;"),
+         "random[0].smoothness: is a setting of the covariance \"matern\" alone"},
+        {TOUGHNESS("correlation_length = 0;"), "random[0].correlation_length: 0 is not allowed, must be > 0"},
+        {TOUGHNESS("correlation_length = 1; modes = 3;"),
+         "random[0].modes: is no setting of the quantity \"fracture_energy\""},
+        {LOAD("correlation_length = 1;"), "random[0].correlation_length: is no setting of the quantity \"load\""},
+    };
+    EXPECT_REFUSALS(mistakes);
+    pdmc_study study;
+    CHECK_OK(read_with(LINE_RANDOM, TOUGHNESS("distribution = \"gumbel\"; correlation_length = 0.3;"), &study));
+    assert_true(pdmc_problem_varies_toughness(&study.problem));
+    assert_int_equal(study.problem.uncertainties[0].law.kind, PDMC_GUMBEL);
+    CHECK_NEAR(study.problem.uncertainties[0].covariance.length, 0.3, 0.0);
+    assert_string_equal(study.warnings, "");
+    pdmc_study_clear(&study);
+    CHECK_OK(read_with(LINE_RANDOM, TOUGHNESS("distribution = \"gumbel\";"), &study));
+    assert_false(pdmc_problem_varies_toughness(&study.problem));
+    pdmc_study_clear(&study);
+    expect_warnings(TOUGHNESS("correlation_length = 1;") " energy = { tips = [\"a.to\"]; };",
+                    "study.cfg:8: warning: random[0].correlation_length: changes nothing where energies are asked for "
+                    "at a single tip\n");
 }
 
 static void fields_and_processes(void **state)
@@ -296,14 +337,6 @@ static void designs_and_rare_events(void **state)
     pdmc_study_clear(&study);
 }
 
-static void expect_warnings(const char *text, const char *warnings)
-{
-    pdmc_study study;
-    CHECK_OK(read_with(LINE_RANDOM, text, &study));
-    assert_string_equal(study.warnings, warnings);
-    pdmc_study_clear(&study);
-}
-
 // Phi(-2) = 0.0228 of a normal with half of its mean for a deviation; a load may have any sign.
 static void values_that_are_not_positive(void **state)
 {
@@ -325,6 +358,7 @@ int main(void)
         cmocka_unit_test(by_their_own_parameters),
         cmocka_unit_test(means_are_those_of_plate_and_material),
         cmocka_unit_test(parameters_that_make_no_distribution),
+        cmocka_unit_test(fracture_energies_in_space),
         cmocka_unit_test(fields_and_processes),
         cmocka_unit_test(loads_of_a_side),
         cmocka_unit_test(correlations_of_what_is_not_there),

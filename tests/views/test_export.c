@@ -53,7 +53,7 @@ static void every_number_has_its_row(void **state)
     check_table("samples.csv",
                 "sample,failure,load_factor,effective_modulus,contraction,center.from.K_I[N/cm^(3/2)],"
                 "center.from.K_II[N/cm^(3/2)],center.from.bond_energy_max[N/cm],center.from.griffith_energy_max[N/cm],"
-                "center.to.K_I",
+                "center.from.fracture_energy[N/cm],center.to.K_I",
                 40);
     check_table("energy_samples.csv", "sample,tip,angle[rad],bond_energy[N/cm],griffith_energy[N/cm]\n", 40 * 2 * 8);
     check_table("faces.csv", "crack,x[cm],y[cm],left_x[cm],left_y[cm],right_x[cm],right_y[cm]\n",
@@ -73,11 +73,12 @@ static void energies_are_of_the_samples_that_are_kept(void **state)
     (void)state;
     pdmc_results r = made_up_results(made_up_small);
     r.kept_count = 7;
+    r.sample_fracture_energy[2 * 39 + 1] = 0.25;
     CHECK_OK(pdmc_view_export(&r, scratch_path("csv")));
     check_table("samples.csv", "sample,failure,", 40);
     check_table("energy_samples.csv", "sample,tip,", 7 * 2 * 8);
-    char *samples = exported("samples.csv"), number[40];
-    snprintf(number, sizeof number, ",%.17g\n", r.largest_energy[PDMC_MEASURE_GRIFFITH][2 * 39 + 1]);
+    char *samples = exported("samples.csv"), number[80];
+    snprintf(number, sizeof number, ",%.17g,%.17g\n", r.largest_energy[PDMC_MEASURE_GRIFFITH][2 * 39 + 1], 0.25);
     assert_non_null(strstr(samples, number)); // of the last sample, which is not kept
     free(samples);
     pdmc_results_clear(&r);

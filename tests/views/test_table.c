@@ -137,9 +137,13 @@ static void a_random_toughness_has_a_range(void **state)
 {
     (void)state;
     pdmc_results results = made_up_results(made_up_small);
-    results.sample_fracture_energy[3] = 0.1;
-    results.sample_fracture_energy[4] = 0.25;
+    for (int t = 0; t < 2; t++) {
+        results.sample_fracture_energy[2 * 3 + t] = 0.1;
+        results.sample_fracture_energy[2 * 4 + t] = 0.25;
+    }
     EXPECT_PARTS(&results, "decides P(G > G_c) and the direction; G_c from 0.1 to 0.25 N/cm\n");
+    results.sample_fracture_energy[2 * 4] = 0.24;
+    EXPECT_PARTS(&results, "decides P(G > G_c) and the direction; G_c of each tip from 0.1 to 0.25 N/cm\n");
     pdmc_results_clear(&results);
 }
 
