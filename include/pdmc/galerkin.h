@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Finite elements of the scalar peridynamic problem in one and two dimensions,
+///     u_tt = L u + b,  (L u)(x) = int_{|xi| < delta} c(|xi|) (u(x + xi) - u(x)) dxi,
+/// with the weak form (L u, v) = -1/2 int int c (u' - u) (v' - v). What is prescribed lies in a layer of elements as
+/// wide as the horizon round the body. Lengths in any unit; L is 1 / length^2.
+
+#include "pdmc/base.h"
+
+// ---- the kernel ----
+
+enum { PDMC_KERNEL_BINS = 64 };
+
+/// c(r) = scale weight[i] r^-power in bin i of equal bins of [0, horizon], 0 beyond it. The scale is such that L is the
+/// Laplacian for functions that vary slowly: int c xi^2 = 2 in one dimension, int c |xi|^2 = 4 in two. With power 1 and
+/// one bin these are 2 / (delta^2 r) and 6 / (pi delta^3 r).
+typedef struct {
+    int dimension; // 1 or 2
+    double horizon, power, scale;
+    int bins;
+    double weight[PDMC_KERNEL_BINS];
+} pdmc_scalar_kernel;
+
+/// @param[in]  power   0 <= power < 2, so that jumps have a finite energy
+/// @param[in]  bins    1 to PDMC_KERNEL_BINS
+/// @param[in]  weight  [bins] >= 0, not all zero; NULL for 1 throughout
+/// @return PDMC_OK or PDMC_ERR_ARG
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_scalar_kernel_create(int dimension, double horizon, double power, int bins,
+                                                              const double weight[], pdmc_scalar_kernel *kernel);
+
+/// c(r) for r > 0.
+PDMC_API double pdmc_scalar_kernel_at(const pdmc_scalar_kernel *kernel, double r);
+
+/// lambda(k) = int c (1 - cos k.xi) dxi, so that L e^{ik.x} = -lambda e^{ik.x} and a wave has the frequency
+/// sqrt(lambda); 1 / length^2, to a relative error of 1e-12.
+/// @return PDMC_OK or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_scalar_dispersion(const pdmc_scalar_kernel *kernel, double wave_number,
+                                                           double *lambda);
+
+// ---- meshes ----
+
+/// Intervals or triangles, with corners counter-clockwise.
+typedef struct {
+    int dimension;
+    int node_count;
+    double *x; // [node_count, dimension]
+    int element_count;
+    int *corner;    // [element_count, dimension + 1] nodes
+    uint8_t *layer; // [element_count] 1 where the field is prescribed
+    uint8_t *rough; // [element_count] 1 where a mixed space is discontinuous
+} pdmc_mesh;
+
+/// A box with its middle at the origin, in equal cells, and round it a layer in cells no longer than those. In two
+/// dimensions each cell is two triangles, whose common edges meet in every second node.
+/// @param[in]  dimension  1 or 2
+/// @param[in]  size       [dimension] of the box
+/// @param[in]  cells      [dimension] >= 1
+/// @param[in]  layer      > 0, width of the layer
+/// @param[out] mesh       free with pdmc_mesh_clear(); zero on failure
+/// @return PDMC_OK, PDMC_ERR_ARG, or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_box(int dimension, const double size[], const int cells[], double layer,
+                                                  pdmc_mesh *mesh);
+
+/// Marks as rough the elements whose middle lies in a box.
+PDMC_API void pdmc_mesh_mark_rough(pdmc_mesh *mesh, const double from[], const double to[]);
+
+/// A zeroed mesh is allowed.
+PDMC_API void pdmc_mesh_clear(pdmc_mesh *mesh);
+
+/// The longest edge.
+PDMC_API double pdmc_mesh_spacing(const pdmc_mesh *mesh);
+
+// ---- spaces ----
+
+typedef enum { PDMC_SPACE_CONTINUOUS, PDMC_SPACE_DISCONTINUOUS, PDMC_SPACE_MIXED } pdmc_space_kind;
+
+/// Piecewise linear functions: values in the corners of elements. The free ones are the first.
+typedef struct {
+    const pdmc_mesh *mesh; // must outlive the space
+    int count, free_count;
+    int *value; // [element_count, dimension + 1] number of the value in each corner
+    double *x;  // [count, dimension] where each value is
+} pdmc_space;
+
+/// Continuous functions share the values in the nodes; where they touch the layer, these are prescribed. Discontinuous
+/// ones have values of their own in each element. A mixed space is discontinuous in the rough elements: their
+/// neighbours share no value with them.
+/// @param[out] space  free with pdmc_space_clear(); zero on failure
+/// @return PDMC_OK, PDMC_ERR_ARG (nothing is free), or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_space_create(const pdmc_mesh *mesh, pdmc_space_kind kind, pdmc_space *space);
+
+/// A zeroed space is allowed.
+PDMC_API void pdmc_space_clear(pdmc_space *space);
+
+// ---- forms ----
+
+/// Where the outer integral is taken: exactly (in one dimension), in Gauss points inside the elements (exact to degree
+/// 5), or in points on their edges: the ends and the middle of an interval, the middles of the edges of a triangle.
+typedef enum { PDMC_OUTER_EXACT, PDMC_OUTER_GAUSS, PDMC_OUTER_EDGES } pdmc_outer_rule;
+
+/// How the inner one is taken over an element: over its intersection with the disc, exactly for the kernel; there, by a
+/// rule for polynomials; or over the whole element by Gauss points, with a kernel that is zero beyond the horizon.
+typedef enum { PDMC_INNER_EXACT, PDMC_INNER_POLYNOMIAL, PDMC_INNER_CARELESS } pdmc_inner_rule;
+
+typedef struct {
+    pdmc_outer_rule outer;
+    pdmc_inner_rule inner; // of no meaning where the outer integral is exact
+    int parts;             // >= 1, of each side of an element, every one with the outer rule
+} pdmc_form_rule;
+
+/// A symmetric form (u, v): its columns for the free values, from the diagonal down, with the rows of the prescribed
+/// values behind those of the free ones.
+typedef struct {
+    int free_count;
+    int64_t *start; // [free_count + 1]
+    int64_t *row;   // ascending in each column
+    double *value;
+} pdmc_form;
+
+/// 1/2 int int c (u' - u) (v' - v), over all pairs of points of which one at least is not in the layer. The layer must
+/// be as wide as the horizon.
+/// @param[in]  threads  >= 1; the result does not depend on it
+/// @param[out] form     free with pdmc_form_clear(); zero on failure
+/// @return PDMC_OK, PDMC_ERR_ARG (an exact outer integral in two dimensions; points on edges in one dimension with
+/// power >= 1, whose inner integral is infinite), or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_form_peridynamic(const pdmc_space *space, const pdmc_scalar_kernel *kernel,
+                                                          const pdmc_form_rule *rule, int threads, pdmc_form *form);
+
+/// int u v, and int grad u . grad v element by element, over the body.
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_form_mass(const pdmc_space *space, pdmc_form *form);
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_form_gradient(const pdmc_space *space, pdmc_form *form);
+
+/// A zeroed form is allowed.
+PDMC_API void pdmc_form_clear(pdmc_form *form);
+
+/// y = A x for the free rows.
+/// @param[in]  x  [count] all values
+/// @param[out] y  [free_count]
+PDMC_API void pdmc_form_multiply(const pdmc_form *form, const double x[], double y[]);
+
+/// A function of position.
+typedef double pdmc_scalar_function(const void *context, const double x[]);
+
+/// (b, v) over the body for every free v, with rules of degree 9.
+/// @param[out] load  [free_count]
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_space_load(const pdmc_space *space, pdmc_scalar_function *b,
+                                                    const void *context, double load[]);
+
+/// The root of the mean over the body of (u - f)^2; f = NULL for 0.
+/// @param[in]  u      [count]
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_space_distance(const pdmc_space *space, const double u[],
+                                                        pdmc_scalar_function *f, const void *context, double *distance);
+
+/// A u = load for the free values of u, by CHOLMOD.
+/// @param[in]     load  [free_count]
+/// @param[in,out] u     [count] prescribed values; gets the free ones
+/// @return PDMC_OK, PDMC_ERR_SINGULAR (parts that nothing holds: points inside discontinuous elements do not see across
+/// an edge), PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_form_solve(const pdmc_form *form, const double load[], double u[]);

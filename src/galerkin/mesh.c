@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pdmc/galerkin.h"
+
+#include "base/base_impl.h"
+
+#include <math.h>
+#include <string.h>
+
+// The nodes along one axis: those of the layer, of the box, and of the layer again.
+typedef struct {
+    int cells, layer_cells; // in all, and in the layer at either end
+    double *x;              // [cells + 1]
+} axis;
+
+static pdmc_status axis_create(double size, int cells, double layer, axis *out)
+{
+    pdmc_status status = PDMC_OK;
+    const double spacing = size / cells;
+    const int outer = (int)fmax(1.0, ceil(layer / spacing * (1.0 - 1e-9)));
+    out->cells = cells + 2 * outer;
+    out->layer_cells = outer;
+    PDMC_NEW(out->x, out->cells + 1);
+    for (int i = 0; i <= cells; i++) out->x[outer + i] = size * ((double)i / cells - 0.5);
+    for (int i = 1; i <= outer; i++) {
+        out->x[outer - i] = -0.5 * size - layer * i / outer;
+        out->x[outer + cells + i] = 0.5 * size + layer * i / outer;
+    }
+done:
+    return status;
+}
+
+static bool is_outside(const axis *a, int cell)
+{
+    return cell < a->layer_cells || cell >= a->cells - a->layer_cells;
+}
+
+static void fill_interval(const axis *a, pdmc_mesh *mesh)
+{
+    memcpy(mesh->x, a->x, (size_t)mesh->node_count * sizeof *mesh->x);
+    for (int i = 0; i < a->cells; i++) {
+        mesh->corner[2 * i] = i;
+        mesh->corner[2 * i + 1] = i + 1;
+        mesh->layer[i] = is_outside(a, i);
+    }
+}
+
+// The two triangles of a cell; the diagonal changes from cell to cell.
+static void fill_cell(const axis a[2], int i, int j, pdmc_mesh *mesh)
+{
+    const int across = a[0].cells + 1, sw = j * across + i, se = sw + 1, nw = sw + across, ne = nw + 1;
+    const int rising[2][3] = {{sw, se, ne}, {sw, ne, nw}}, falling[2][3] = {{sw, se, nw}, {se, ne, nw}};
+    const int first = 2 * (j * a[0].cells + i);
+    memcpy(&mesh->corner[3 * (size_t)first], (i + j) % 2 ? falling : rising, sizeof rising);
+    for (int k = 0; k < 2; k++) mesh->layer[first + k] = is_outside(&a[0], i) || is_outside(&a[1], j);
+}
+
+static void fill_rectangle(const axis a[2], pdmc_mesh *mesh)
+{
+    const int across = a[0].cells + 1;
+    for (int n = 0; n < mesh->node_count; n++) {
+        mesh->x[2 * (size_t)n] = a[0].x[n % across];
+        mesh->x[2 * (size_t)n + 1] = a[1].x[n / across];
+    }
+    for (int j = 0; j < a[1].cells; j++)
+        for (int i = 0; i < a[0].cells; i++) fill_cell(a, i, j, mesh);
+}
+
+static pdmc_status mesh_allocate(int dimension, double nodes, double elements, pdmc_mesh *mesh)
+{
+    pdmc_status status = PDMC_OK;
+    if (3.0 * elements > INT32_MAX) PDMC_FAIL(PDMC_ERR_ARG, "%.3g elements are too many", elements);
+    mesh->dimension = dimension;
+    mesh->node_count = (int)nodes;
+    mesh->element_count = (int)elements;
+    PDMC_NEW(mesh->x, nodes * dimension);
+    PDMC_NEW(mesh->corner, elements * (dimension + 1));
+    PDMC_NEW(mesh->layer, elements);
+    PDMC_NEW(mesh->rough, elements);
+done:
+    return status;
+}
+
+pdmc_status pdmc_mesh_box(int dimension, const double size[], const int cells[], double layer, pdmc_mesh *mesh)
+{
+    pdmc_status status = PDMC_OK;
+    axis a[2] = {{0}, {0}};
+    pdmc_mesh made = {0};
+    *mesh = made;
+    PDMC_REQUIRE(dimension == 1 || dimension == 2, "a dimension of %d is neither 1 nor 2", dimension);
+    PDMC_REQUIRE(layer > 0.0 && isfinite(layer), "a layer of %g is not > 0", layer);
+    for (int d = 0; d < dimension; d++) {
+        PDMC_REQUIRE(size[d] > 0.0 && isfinite(size[d]), "a size of %g is not > 0", size[d]);
+        PDMC_REQUIRE(cells[d] >= 1, "%d cells are not 1 or more", cells[d]);
+    }
+    for (int d = 0; d < dimension; d++) PDMC_TRY(axis_create(size[d], cells[d], layer, &a[d]));
+    if (dimension == 1) PDMC_TRY(mesh_allocate(1, a[0].cells + 1.0, a[0].cells, &made));
+    else PDMC_TRY(mesh_allocate(2, (a[0].cells + 1.0) * (a[1].cells + 1.0), 2.0 * a[0].cells * a[1].cells, &made));
+    if (dimension == 1) fill_interval(a, &made);
+    else fill_rectangle(a, &made);
+    *mesh = made;
+    made = (pdmc_mesh){0};
+done:
+    for (int d = 0; d < 2; d++) pdmc_free(a[d].x);
+    pdmc_mesh_clear(&made);
+    return status;
+}
+
+void pdmc_mesh_mark_rough(pdmc_mesh *mesh, const double from[], const double to[])
+{
+    const int n = mesh->dimension + 1;
+    for (int e = 0; e < mesh->element_count; e++) {
+        bool inside = true;
+        for (int d = 0; d < mesh->dimension; d++) {
+            double middle = 0.0;
+            for (int k = 0; k < n; k++) middle += mesh->x[mesh->dimension * mesh->corner[n * e + k] + d] / n;
+            inside = inside && from[d] <= middle && middle <= to[d];
+        }
+        if (inside) mesh->rough[e] = 1;
+    }
+}
+
+void pdmc_mesh_clear(pdmc_mesh *mesh)
+{
+    pdmc_free(mesh->x);
+    pdmc_free(mesh->corner);
+    pdmc_free(mesh->layer);
+    pdmc_free(mesh->rough);
+    *mesh = (pdmc_mesh){0};
+}
+
+static double edge_length(const pdmc_mesh *mesh, int from, int to)
+{
+    if (mesh->dimension == 1) return fabs(mesh->x[to] - mesh->x[from]);
+    const double *a = &mesh->x[2 * (size_t)from], *b = &mesh->x[2 * (size_t)to];
+    return hypot(b[0] - a[0], b[1] - a[1]);
+}
+
+double pdmc_mesh_spacing(const pdmc_mesh *mesh)
+{
+    const int n = mesh->dimension + 1;
+    double longest = 0.0;
+    for (int e = 0; e < mesh->element_count; e++)
+        for (int k = 0; k < n; k++)
+            longest = fmax(longest, edge_length(mesh, mesh->corner[n * e + k], mesh->corner[n * e + (k + 1) % n]));
+    return longest;
+}
