@@ -25,10 +25,10 @@ PDMC_API double pdmc_cell_in_sphere(int dimension, const pdmc_cell *cell, double
 
 /// What is added for each cell in which the horizon ends, and for each cell inside it.
 typedef enum {
-    PDMC_RULE_CUBIC, // the cell's node, with a share of its volume that falls from 1 to 0 over the spacing round the horizon,
+    PDMC_RULE_CUBIC, // the node, with a share of its volume that falls from 1 to 0 over the spacing round the horizon,
                      // eq. 2.15-2.16; nodes outside the horizon do not count
-    PDMC_RULE_GAUSS,    // Gauss points of the whole cell, each with such a share of its own volume, eq. 3.11-3.14
-    PDMC_RULE_EXACT,    // the centroid of the cell's part inside the horizon, with the volume of that part
+    PDMC_RULE_GAUSS, // Gauss points of the whole cell, each with such a share of its own volume, eq. 3.11-3.14
+    PDMC_RULE_EXACT, // the centroid of the cell's part inside the horizon, with the volume of that part
     PDMC_RULE_ADAPTIVE, // iterated trapezoidal rules over that part, refined until they agree, section 2.4
 } pdmc_horizon_kind;
 
@@ -90,3 +90,56 @@ PDMC_API double pdmc_horizon_rule_volume(const pdmc_horizon_rule *rule);
 
 /// Average distance between integration points, (volume / points)^(1 / dimension), eq. 2.52.
 PDMC_API double pdmc_horizon_rule_distance(const pdmc_horizon_rule *rule, int dimension, double volume);
+
+/// How the micromodulus falls with the length r of a bond, over its value at r = 0: not at all, as a cone 1 - r /
+/// radius, or as a bell (1 - r^2 / radius^2)^2.
+typedef enum { PDMC_PROFILE_CONSTANT, PDMC_PROFILE_CONE, PDMC_PROFILE_BELL } pdmc_profile;
+
+/// c(r) over the micromodulus of the constant profile that has the same elastic moduli: the integral of c(r)
+/// r^dimension over [0, radius] is the same, which is the strain energy of an isotropic stretch (eq. 3.51-3.58). Zero
+/// beyond the horizon.
+PDMC_API double pdmc_profile_at(pdmc_profile profile, int dimension, double radius, double r);
+
+/// A field of displacements.
+typedef void pdmc_displacement(void *context, const double position[3], double displacement[3]);
+
+/// Bonds of a microelastic material. With xi the difference of the positions of a bond's ends, r its length, and eta
+/// that of their displacements, the force on a unit of volume squared is f = c(r) s (xi + eta) / |xi + eta|, s = (|xi +
+/// eta| - r) / r (eq. 2.5 and 2.7); or, linear, f = c(r) xi (xi . eta) / r^3 (eq. 4.66).
+typedef struct {
+    double
+        micromodulus; // c of the constant profile: force / length^6; in two dimensions per unit thickness, force / length^5
+    pdmc_profile profile;
+    bool is_linear;
+    pdmc_displacement *displacement;
+    void *context;
+} pdmc_bonded_body;
+
+/// What a stress was computed from.
+typedef struct {
+    int half_points; // in the half of the horizon beyond the plane through the node, as in eq. 2.56
+    double points;   // in all halves and for all planes
+} pdmc_stress_effort;
+
+/// The areal force density at a node (eq. 2.12): the force of what lies beyond the plane x[axis] = node[axis], on the
+/// side of positive x[axis], on the line of points behind the node, over an area. The integral over the half of the
+/// horizon beyond the plane is that of the rule; that over the line has the points that the rule has along an axis:
+/// nodes with shares of the line, Gauss points, the middles of spacings, or trapezoidal points that are refined. Where
+/// a body has edges, options->within says where, relative to the node.
+/// @param[in]  options  its origin, integrands and context are not read
+/// @param[in]  node     of the grid
+/// @param[out] density  force / length^(dimension - 1)
+/// @param[in,out] effort  added to; may be NULL
+/// @return PDMC_OK, PDMC_ERR_ARG, or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_areal_force_density(const pdmc_horizon_options *options,
+                                                             const pdmc_bonded_body *body, const double node[3],
+                                                             int axis, double density[3], pdmc_stress_effort *effort);
+
+/// The stress (Piola and Kirchhoff's first) at a node, whose columns are the areal force densities along the axes (eq.
+/// 2.13).
+/// @param[out] stress  [3, 3] row-major, force / length^2; zero out of the plane in two dimensions
+/// @param[out] effort  may be NULL
+/// @return as pdmc_areal_force_density()
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_horizon_stress(const pdmc_horizon_options *options,
+                                                        const pdmc_bonded_body *body, const double node[3],
+                                                        double stress[9], pdmc_stress_effort *effort);
