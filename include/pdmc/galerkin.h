@@ -158,3 +158,26 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_space_distance(const pdmc_space *space,
 /// @return PDMC_OK, PDMC_ERR_SINGULAR (parts that nothing holds: points inside discontinuous elements do not see across
 /// an edge), PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_form_solve(const pdmc_form *form, const double load[], double u[]);
+
+// ---- motion ----
+
+/// The largest eigenvalue of M^-1 A for the free values, by Lanczos' method.
+/// @param[out] largest  1 / length^2, not above the true one
+/// @param[out] error    an eigenvalue is as near as that; a bound of the largest one's error once the iteration has
+///                      settled on it, 1e-8 of it unless 200 steps were too few
+/// @return PDMC_OK, PDMC_ERR_SINGULAR, PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_form_largest_eigenvalue(const pdmc_form *form, const pdmc_form *mass,
+                                                                 double *largest, double *error);
+
+/// The longest stable step of central differences, 2 / sqrt(largest eigenvalue).
+PDMC_API double pdmc_stable_step(double largest_eigenvalue);
+
+/// M u_tt + A u = 0 by central differences from rest, with prescribed values that go with cos(frequency t).
+/// @param[in]     count      all values
+/// @param[in]     step       of time, in units of length since waves have speed 1
+/// @param[in]     steps      >= 1
+/// @param[in]     frequency  1 / length
+/// @param[in,out] u          [count] at the start, and after the last step
+/// @return PDMC_OK, PDMC_ERR_ARG, PDMC_ERR_SINGULAR, PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_form_march(const pdmc_form *form, const pdmc_form *mass, int count, double step,
+                                                    int steps, double frequency, double u[]);
