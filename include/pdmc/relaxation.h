@@ -35,16 +35,17 @@ typedef struct {
     double damping;  // of the last step
 } pdmc_relaxation_state;
 
-/// Steps of central differences until the forces are small. With adaptive damping c = 2 sqrt(w^2), where
-///     w^2 = sum d^2 m k / sum d^2 m,  k = -(f^n - f^(n-1)) / (m v^(n-1/2)),
-/// d being the displacement since the start (eq. 4.68-4.70): the motion is damped critically in the mode that it is in.
+/// Steps of central differences until the forces are small. With adaptive damping c = 0.9 x 2 w, where
+///     w^2 = -sum v (f^n - f^(n-1)) / sum m v^2,
+/// Rayleigh's quotient of the motion v^(n-1/2): nearly critical for the mode in which the body moves. (Eq. 4.68-4.70 take
+/// the displacement in place of v, with a stiffness of every unknown by a division by its velocity.)
 /// Sums are taken in the order of the unknowns: nothing depends on the number of threads.
 /// @param[in,out] x        [unknowns] start and result
 /// @param[in]     observe  called at the start and after every step; NULL is allowed; false stops with PDMC_ERR_INTERRUPTED
 /// @param[out]    state    of the end, whatever the status
 /// @return PDMC_OK; PDMC_ERR_ARG; PDMC_ERR_SINGULAR if the forces are not small after the steps allowed or not finite; PDMC_ERR_NOMEM;
 ///         or the failure of `force`
-PDMC_API PDMC_NODISCARD pdmc_status pdmc_relax(const pdmc_relaxation_model *model, const pdmc_relaxation_options *options,
-                                               double x[],
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_relax(const pdmc_relaxation_model *model,
+                                               const pdmc_relaxation_options *options, double x[],
                                                bool (*observe)(void *context, const pdmc_relaxation_state *state),
                                                void *context, pdmc_relaxation_state *state);

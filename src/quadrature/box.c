@@ -87,8 +87,7 @@ pdmc_ball_in_box pdmc_integrate_ball_in_box(double radius, const double below[3]
     pdmc_ball_in_box sum = {0.0, 0.0};
     for (int octant = 0; octant < 8; octant++) {
         double side[3];
-        for (int k = 0; k < 3; k++)
-            side[k] = fmin(octant >> k & 1 ? above[k] : below[k], 2.0 * radius);
+        for (int k = 0; k < 3; k++) side[k] = fmin(octant >> k & 1 ? above[k] : below[k], 2.0 * radius);
         add_octant(radius, side, &sum);
     }
     return sum;

@@ -97,7 +97,12 @@ static void random_octants(void **state)
         const double *a = o.side, none[3] = {0.0, 0.0, 0.0};
         const double along[3] = {sqrt(fmax(0.0, 1.0 - a[1] * a[1])), sqrt(fmax(0.0, 1.0 - a[2] * a[2])),
                                  sqrt(fmax(0.0, 1.0 - a[1] * a[1] - a[2] * a[2]))};
-        const double radii[7] = {a[0], a[1], a[2], hypot(a[0], a[1]), hypot(a[1], a[2]), hypot(a[2], a[0]),
+        const double radii[7] = {a[0],
+                                 a[1],
+                                 a[2],
+                                 hypot(a[0], a[1]),
+                                 hypot(a[1], a[2]),
+                                 hypot(a[2], a[0]),
                                  sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2])};
         const pdmc_ball_in_box got = pdmc_integrate_ball_in_box(1.0, none, o.side);
         CHECK_NEAR(got.volume, integrate(slice, &o, fmin(1.0, a[0]), 3, along), 1e-11);
