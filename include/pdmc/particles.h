@@ -122,7 +122,7 @@ typedef struct {
 /// second order in the step.
 typedef struct {
     double kinetic, elastic, contact;
-    double dissipated; // by damping
+    double dissipated; // by damping, or where bonds break between states of rest
     double fracture;   // in the bonds at the moment they broke
     double work;       // of conditions and of spheres that keep their velocity
     double first;      // kinetic, at the start
@@ -173,6 +173,36 @@ PDMC_API const char *pdmc_particles_kernel(const pdmc_particles *particles);
 /// @return PDMC_OK; PDMC_ERR_SINGULAR with the step and the node that would move by more than the horizon in the next one: the
 ///         state is then that of this step, and finite; PDMC_ERR_NOMEM
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_particles_advance(pdmc_particles *particles, int steps);
+
+/// How bodies are brought to rest.
+typedef struct {
+    double tolerance; // > 0, of the residual: the norm of the forces out of balance, over the largest one of the external
+                      // forces (prescribed ones and reactions) at rest so far, this load's included
+    int most_steps;   // of a relaxation, after which it has failed
+    double damping;   // of the relaxation, constant, in [0, 2) as in pdmc/relaxation.h; negative: adaptive
+    bool (*go_on)(void *context, int steps); // asked now and then; NULL is allowed
+    void *context;
+} pdmc_rest_options;
+
+/// How they came to rest.
+typedef struct {
+    double residual;
+    int steps;     // of relaxation, all together
+    int breakages; // times that bonds broke, all that were stretched too far at once, and the rest was relaxed again
+} pdmc_rest;
+
+/// Brings the bodies to rest under their conditions at a load, instead of moving them: dynamic relaxation while no bond breaks;
+/// then all that are stretched beyond s_0 break, and so on until none does. Displacements and forces are those of their
+/// histories at the time `load`. Work is that of external forces between states of rest, by the trapezoidal rule; what
+/// is lost where bonds break at a load is dissipated, and the rest of the work is elastic or in the bonds that broke: a
+/// balance of the second order in the loads' steps.
+/// @param[in]  load  the first is best one without force; pdmc_particles_time() is the last one
+/// @param[out] rest  also of a failure
+/// @return PDMC_OK; PDMC_ERR_ARG where bodies have moved, or there are velocities, spheres or contact; PDMC_ERR_SINGULAR with
+///         load and residual where a relaxation does not end, or a force acts on a node without bonds; PDMC_ERR_INTERRUPTED;
+///         PDMC_ERR_NOMEM. After a failure the state is that of an unfinished relaxation.
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_particles_come_to_rest(pdmc_particles *particles, double load,
+                                                                const pdmc_rest_options *options, pdmc_rest *rest);
 
 PDMC_API int pdmc_particles_count(const pdmc_particles *particles);         // nodes
 PDMC_API uint64_t pdmc_particles_bonds(const pdmc_particles *particles);    // pairs, at the start without cracks

@@ -194,6 +194,7 @@ void pdmc_particles_destroy(pdmc_particles *p)
     pdmc_nodes_clear(&p->nodes);
     pdmc_contact_clear(&p->contact);
     pdmc_damping_clear(&p->damping);
+    pdmc_rest_clear(&p->rest);
     pdmc_variation_clear(&p->variation);
     for (int k = 0; k < p->layer_count; k++) pdmc_layer_clear(&p->layers[k]);
     for (int a = 0; a < PDMC_AXES; a++) {

@@ -20,6 +20,7 @@ typedef struct {
     const pdmc_bond_law *laws;         // [materials]
     double repulsion;                  // force / length^7: of two nodes, by distance and by both nodes' volumes
     bool energies;                     // whether elastic and contact are wanted, instead of the forces
+    bool unbreakable;                  // whether no bond breaks now
     bool linear;                       // whether the stretch is that along the reference direction
     bool by_node;                      // whether s_0 differs between nodes for another reason than strengthening
     const double *position[PDMC_AXES]; // [cells]

@@ -272,7 +272,7 @@ INLINE void find_forces(const pdmc_forces *f, int b, bond_kind kind)
     for (int a = 0; a < PDMC_AXES; a++)
         store_where(at.block->nodes, &f->force[a][at.block->cell], multiply(micromodulus, s.force[a]));
     if (at.law->strengthening != 0.0) strengthen(&at, &s);
-    if (less(s.weakest, at.enough) & at.block->nodes) f->fracture[b] += break_bonds(f, b, kind);
+    if (!f->unbreakable && (less(s.weakest, at.enough) & at.block->nodes)) f->fracture[b] += break_bonds(f, b, kind);
     if (less(lanes_of(f->nodes->touching), s.closest) & at.block->nodes) repel(f, b, kind, false);
 }
 

@@ -53,14 +53,20 @@ static void meet_spheres(pdmc_particles *p)
                                                &p->sphere_force[PDMC_AXES * s]);
 }
 
-/// All forces at the time but those of conditions.
-static pdmc_status find_forces(pdmc_particles *p)
+void pdmc_particles_find_bond_forces(pdmc_particles *p, bool unbreakable)
 {
-    const pdmc_forces forces = forces_of(p);
+    pdmc_forces forces = forces_of(p);
+    forces.unbreakable = unbreakable;
     run_kernel(p, &forces);
     double *strength = p->strength;
     p->strength = p->next_strength;
     p->next_strength = strength;
+}
+
+/// All forces at the time but those of conditions.
+static pdmc_status find_forces(pdmc_particles *p)
+{
+    pdmc_particles_find_bond_forces(p, false);
     pdmc_status status = pdmc_contact_update(&p->contact, &p->nodes, p->position, p->threads);
     if (status != PDMC_OK) return status;
     pdmc_contact_add(&p->contact, &p->nodes, p->position, p->threads, p->force);

@@ -7,6 +7,7 @@
 #include "particles/damping.h"
 #include "particles/forces.h"
 #include "particles/layers.h"
+#include "particles/rest.h"
 #include "particles/variation.h"
 
 struct pdmc_particles {
@@ -26,6 +27,7 @@ struct pdmc_particles {
     double repulsion;
     pdmc_contact contact;
     pdmc_damping damping;
+    pdmc_rest_memory rest;
     int layer_count, sphere_count;
     pdmc_layer *layers;
     pdmc_rigid_sphere *spheres; // at the time, with their velocities half a step after it
@@ -38,6 +40,9 @@ struct pdmc_particles {
 
 /// From the state at time 0 to velocities half a step after it.
 PDMC_NODISCARD pdmc_status pdmc_particles_start(pdmc_particles *particles);
+
+/// The forces of bonds and of neighbours' repulsion. @param[in] unbreakable  whether no bond breaks now
+void pdmc_particles_find_bond_forces(pdmc_particles *particles, bool unbreakable);
 
 /// A node's velocity at the time, between the half steps: v - step / 2 times the acceleration.
 double pdmc_particles_velocity_at(const pdmc_particles *particles, const pdmc_block *block, int axis, size_t cell);

@@ -25,7 +25,7 @@ size_t pdmc_particles_bond_bytes(const pdmc_particles *p)
 }
 double pdmc_particles_time(const pdmc_particles *p)
 {
-    return p->steps * p->step;
+    return p->rest.count > 0 ? p->rest.load[0] : p->steps * p->step;
 }
 int pdmc_particles_steps(const pdmc_particles *p)
 {
@@ -86,7 +86,7 @@ static void add_spheres(const pdmc_particles *p, pdmc_particles_sums *sums)
 pdmc_particles_sums pdmc_particles_sum(const pdmc_particles *p)
 {
     pdmc_particles_sums sums = {.work = p->work - 0.5 * p->last_work,
-                                .dissipated = p->damping.dissipated - 0.5 * p->damping.last_one,
+                                .dissipated = p->damping.dissipated - 0.5 * p->damping.last_one + p->rest.dissipated,
                                 .first = p->first};
     pdmc_particles_find_energies(p);
     for (int b = 0; b < p->nodes.block_count; b++) {
