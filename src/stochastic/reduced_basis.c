@@ -30,7 +30,6 @@ pdmc_status pdmc_reduced_builder_create(const pdmc_reduced_goal *goal, pdmc_redu
     const int sides = b->system->sides, added = b->system->added;
     PDMC_NEW(b->probe, (PDMC_PROBES + CAPACITY) * n);
     b->basis = b->probe + PDMC_PROBES * n;
-    PDMC_NEW(b->image, CAPACITY * n);
     PDMC_NEW(b->direction, CAPACITY * CAPACITY);
     PDMC_NEW(b->load, (size_t)(sides + added) * n);
     PDMC_NEW(b->block, B * n);
@@ -49,7 +48,6 @@ void pdmc_reduced_builder_clear(pdmc_reduced_builder *b)
 {
     pdmc_reduced_system_destroy(b->system);
     pdmc_free(b->probe);
-    pdmc_free(b->image);
     pdmc_free(b->direction);
     pdmc_free(b->load);
     pdmc_free(b->block);
@@ -106,16 +104,15 @@ static pdmc_status make_loads(pdmc_reduced_builder *b)
     return PDMC_OK;
 }
 
-// block -= V (K_0 V)' block, some vectors at a time.
+// block -= V V' K_0 block, some vectors at a time.
 static void project_out(const pdmc_reduced_builder *b)
 {
     const int n = b->n, r = b->system->dimension;
-    if (r == 0) return;
 #pragma omp parallel for schedule(static) num_threads(b->threads)
     for (int first = 0; first < B; first += PART) {
         double *block = &b->block[(size_t)first * (size_t)n], *overlap = &b->overlap[first * CAPACITY];
-        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, PART, r, n, 1.0, block, n, b->image, n, 0.0, overlap,
-                    CAPACITY);
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, PART, r, n, 1.0, &b->product[(size_t)first * (size_t)n], n,
+                    b->basis, n, 0.0, overlap, CAPACITY);
         cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, PART, n, r, -1.0, overlap, CAPACITY, b->basis, n, 1.0,
                     block, n);
     }
@@ -221,16 +218,20 @@ done:
     return status;
 }
 
-// The mean's on the probes, some vectors at a time.
-static void project_mean(const pdmc_reduced_builder *b, int first, int count)
+// The mean's on the probes, of combinations of the block.
+static void project_mean(const pdmc_reduced_builder *b, int count, const double combination[])
 {
+    const int n = b->n;
+    double of_block[B * PDMC_PROBES];
 #pragma omp parallel for schedule(static) num_threads(b->threads)
-    for (int k = 0; k < count; k += PART)
-        project_on_probes(b, 0, first + k, count - k < PART ? count - k : PART,
-                          &b->image[(size_t)(first + k) * (size_t)b->n]);
+    for (int k = 0; k < B; k += PART)
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, PART, PDMC_PROBES, n, 1.0,
+                    &b->product[(size_t)k * (size_t)n], n, b->probe, n, 0.0, &of_block[k * PDMC_PROBES], PDMC_PROBES);
+    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, count, PDMC_PROBES, B, 1.0, combination, B, of_block,
+                PDMC_PROBES, 0.0, &b->system->probe_matrix[b->system->dimension * PDMC_PROBES], PDMC_PROBES);
 }
 
-// Everything that solving needs of `count` <= B new vectors at the end of the basis.
+// What solving needs of `count` <= B new vectors at the end of the basis, but for the mean's operator.
 static pdmc_status project(pdmc_reduced_builder *b, int count)
 {
     const int n = b->n, first = b->system->dimension;
@@ -238,22 +239,32 @@ static pdmc_status project(pdmc_reduced_builder *b, int count)
     b->system->dimension += count;
     cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, b->system->sides + b->system->added, count, n, 1.0, b->load, n,
                 vectors, n, 0.0, &b->system->load[first], CAPACITY);
-    project_mean(b, first, count);
     return (b->full->verbs->project ? project_at_once : project_terms)(b, first, count);
 }
 
-// Combinations of the vectors of a block, behind the end of others like the basis; some numbers of every vector at a time.
-static void append(const pdmc_reduced_builder *b, int count, const double combination[], const double block[],
-                   double others[])
+// Puts combinations of the block behind the end of the basis, some numbers of every vector at a time.
+static void append(const pdmc_reduced_builder *b, int count, const double combination[])
 {
     const int n = b->n;
-    double *end = &others[(size_t)b->system->dimension * (size_t)n];
+    double *end = &b->basis[(size_t)b->system->dimension * (size_t)n];
 #pragma omp parallel for schedule(static) num_threads(b->threads)
     for (int first = 0; first < n; first += PANEL) {
         const int width = n - first < PANEL ? n - first : PANEL;
-        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, count, width, B, 1.0, combination, B, &block[first], n,
-                    0.0, &end[first], n);
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, count, width, B, 1.0, combination, B, &b->block[first],
+                    n, 0.0, &end[first], n);
     }
+}
+
+// Takes the basis out of the block, whose product is known, and finds that of what is left.
+static pdmc_status orthogonalise(pdmc_reduced_builder *b, int passes)
+{
+    pdmc_status status = PDMC_OK;
+    for (int pass = 0; pass < passes && b->system->dimension > 0; pass++) {
+        project_out(b);
+        PDMC_TRY(b->full->verbs->multiply(b->full, 1.0, b->none, b->block, b->product));
+    }
+done:
+    return status;
 }
 
 // Appends to the basis those combinations of the block that are new and large: the eigenvectors of its Gram matrix in the
@@ -264,8 +275,7 @@ static pdmc_status enrich(pdmc_reduced_builder *b, int passes, double small, int
     const int n = b->n, room = CAPACITY - b->system->dimension;
     const double rounding = 1e-10; // of the largest eigenvalue: beyond it vectors are no longer orthogonal
     double gram[B * B], eigenvalue[B];
-    for (int pass = 0; pass < passes; pass++) project_out(b);
-    PDMC_TRY(b->full->verbs->multiply(b->full, 1.0, b->none, b->block, b->product));
+    PDMC_TRY(orthogonalise(b, passes));
     cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, B, B, n, 1.0, b->block, n, b->product, n, 0.0, gram, B);
     const int info = LAPACKE_dsyev(LAPACK_COL_MAJOR, 'V', 'L', B, gram, B, eigenvalue); // ascending
     if (info != 0) PDMC_FAIL(PDMC_ERR_EXTERN, "LAPACKE_dsyev returned %d", info);
@@ -274,11 +284,18 @@ static pdmc_status enrich(pdmc_reduced_builder *b, int passes, double small, int
     while (*added < B && *added < room && eigenvalue[B - 1 - *added] > negligible) ++*added;
     for (int k = 0; k < *added; k++) cblas_dscal(B, 1.0 / sqrt(eigenvalue[B - 1 - k]), &gram[(B - 1 - k) * B], 1);
     if (*added == 0) goto done;
-    append(b, *added, &gram[(B - *added) * B], b->block, b->basis);
-    append(b, *added, &gram[(B - *added) * B], b->product, b->image);
+    append(b, *added, &gram[(B - *added) * B]);
+    project_mean(b, *added, &gram[(B - *added) * B]);
     PDMC_TRY(project(b, *added));
 done:
     return status;
+}
+
+static void clear_block(const pdmc_reduced_builder *b)
+{
+    const size_t values = (size_t)B * (size_t)b->n;
+    memset(b->block, 0, values * sizeof *b->block);
+    memset(b->product, 0, values * sizeof *b->product);
 }
 
 // The answers at the mean: those of the loads are the model's own, those of the rows are found some at a time.
@@ -286,13 +303,15 @@ static pdmc_status begin_basis(pdmc_reduced_builder *b, int *added)
 {
     pdmc_status status = PDMC_OK;
     const size_t n = (size_t)b->n;
-    memset(b->block, 0, B * n * sizeof *b->block);
+    clear_block(b);
     memcpy(b->block, pdmc_affine_solution(b->full, 1), n * sizeof *b->block);
+    memcpy(b->product, b->load, n * sizeof *b->product);
     PDMC_TRY(enrich(b, ANY, 0.0, added));
     for (int first = 1; first < b->system->sides; first += B) {
         const int left = b->system->sides - first, count = left < B ? left : B;
-        memset(b->block, 0, B * n * sizeof *b->block);
-        PDMC_TRY(b->full->verbs->precondition(b->full, count, &b->load[(size_t)first * n], b->block));
+        clear_block(b);
+        memcpy(b->product, &b->load[(size_t)first * n], (size_t)count * n * sizeof *b->product);
+        PDMC_TRY(b->full->verbs->precondition(b->full, count, b->product, b->block));
         PDMC_TRY(enrich(b, ANY, 0.0, added));
     }
 done:
@@ -309,8 +328,10 @@ static pdmc_status add_cases(pdmc_reduced_builder *b)
     int added;
     for (int first = 2; first < b->full->cases; first += B) {
         const int left = b->full->cases - first, count = left < B ? left : B;
-        memset(b->block, 0, B * n * sizeof *b->block);
-        memcpy(b->block, pdmc_affine_solution(b->full, first), (size_t)count * n * sizeof *b->block);
+        const size_t values = (size_t)count * n;
+        clear_block(b);
+        memcpy(b->block, pdmc_affine_solution(b->full, first), values * sizeof *b->block);
+        memcpy(b->product, &b->load[(size_t)(b->system->sides + first - 2) * n], values * sizeof *b->product);
         PDMC_TRY(enrich(b, ANY, combined * size, &added));
     }
 done:
@@ -358,7 +379,7 @@ static int most_independent(const pdmc_reduced_builder *b)
     return most < B ? most : B;
 }
 
-// The block becomes the preconditioned residuals K_0^-1 (F - K(xi) V y) of those of the training samples and right-hand
+// The block becomes the preconditioned residuals K_0^-1 (F - K(xi) V y), and its product the residuals, of those of the training samples and right-hand
 // sides whose errors are the largest shares of what is allowed, as shares of it. Samples without a bound are left out.
 static pdmc_status residuals(pdmc_reduced_builder *b, const double y[], const double error[])
 {
@@ -382,7 +403,9 @@ static pdmc_status residuals(pdmc_reduced_builder *b, const double y[], const do
         for (int l = 0; l < b->system->added && side == 0; l++)
             cblas_daxpy(n, scale * shares[l], &b->load[(size_t)(sides + l) * (size_t)n], 1, row, 1);
     }
-    memset(b->block, 0, (size_t)B * (size_t)n * sizeof *b->block);
+    const size_t solved = (size_t)count * (size_t)n, others = (size_t)(B - count) * (size_t)n;
+    memset(&b->block[solved], 0, others * sizeof *b->block);
+    memset(&b->product[solved], 0, others * sizeof *b->product);
     PDMC_TRY(b->full->verbs->precondition(b->full, count, b->product, b->block));
 done:
     pdmc_free(share);

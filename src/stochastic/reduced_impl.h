@@ -60,10 +60,9 @@ typedef struct {
     int threads, n;
     pdmc_reduced_system *system;
     double *probe, *basis;   // [PDMC_PROBES] and, right behind, [PDMC_REDUCED_CAPACITY] V
-    double *image;           // [PDMC_REDUCED_CAPACITY] K_0 V
     double *direction;       // [dimension, dimension] Q, by rows, that order the basis as Q V
     double *load;            // [sides + added] F
-    double *block, *product; // [B]
+    double *block, *product; // [B] new vectors and K_0 times them
     double *overlap;         // [B, PDMC_REDUCED_CAPACITY]
     double *training;        // [PDMC_TRAINING, terms] xi of the training samples
     double *training_share;  // [PDMC_TRAINING, added] of the added cases in their loads
