@@ -20,12 +20,13 @@ static double next_trial(double x, double value, double tail, double slope, doub
 }
 
 /// The x nearest to `near`, to a share of some `closeness`, with cdf(x; a, b) <= tail, between `near`, where it is more, and
-/// `far`, where it is 0. By Newton's method inside a bracket, since gsl_cdf_beta_Pinv and _Qinv do not return for 10^7
-/// trials: from there on the function itself is NaN where it is about 1/2, which the negated comparison takes for more
-/// than tail.
-static double outermost(cdf_fn *cdf, double sign, double a, double b, double tail, double near, double far)
+/// `far`, where it is 0. By Newton's method inside a bracket, from a guess if that is between them, since gsl_cdf_beta_Pinv
+/// and _Qinv do not return for 10^7 trials: from there on the function itself is NaN where it is about 1/2, which the negated
+/// comparison takes for more than tail.
+static double outermost(cdf_fn *cdf, double sign, double a, double b, double tail, double guess, double near,
+                        double far)
 {
-    double x = 0.5 * (near + far);
+    double x = fmin(near, far) < guess && guess < fmax(near, far) ? guess : 0.5 * (near + far);
     while (fabs(far - near) > closeness * fabs(far)) {
         const double value = cdf(x, a, b);
         if (!(value <= tail)) near = x;
@@ -37,11 +38,21 @@ static double outermost(cdf_fn *cdf, double sign, double a, double b, double tai
     return far;
 }
 
+/// Wilson's bound, z standard deviations of the p that is looked for from the share p of n: half of the steps are saved that
+/// Newton's method takes from the middle.
+static double wilson(double p, double n, double z)
+{
+    return (p + 0.5 * z * z / n + z * sqrt((p * (1.0 - p) + 0.25 * z * z / n) / n)) / (1.0 + z * z / n);
+}
+
 pdmc_estimate pdmc_statistics_proportion(size_t hits, size_t n, double confidence)
 {
     const double k = (double)hits, misses = (double)(n - hits), tail = 0.5 * (1.0 - confidence);
     pdmc_estimate estimate = {.value = n > 0 ? k / (double)n : NAN, .lower = 0.0, .upper = 1.0};
-    if (hits > 0) estimate.lower = outermost(gsl_cdf_beta_P, 1.0, k, misses + 1.0, tail, estimate.value, 0.0);
-    if (hits < n) estimate.upper = outermost(gsl_cdf_beta_Q, -1.0, k + 1.0, misses, tail, estimate.value, 1.0);
+    const double p = estimate.value, z = gsl_cdf_ugaussian_Qinv(tail);
+    if (hits > 0)
+        estimate.lower = outermost(gsl_cdf_beta_P, 1.0, k, misses + 1.0, tail, wilson(p, (double)n, -z), p, 0.0);
+    if (hits < n)
+        estimate.upper = outermost(gsl_cdf_beta_Q, -1.0, k + 1.0, misses, tail, wilson(p, (double)n, z), p, 1.0);
     return estimate;
 }
