@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_sort.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static pdmc_status allocate(pdmc_results *results)
@@ -263,14 +264,34 @@ done:
     return status;
 }
 
+// Why samples failed, and in how many.
+static pdmc_status refuse_nothing(const pdmc_results *results)
+{
+    static const char *const reasons[] = {
+        [PDMC_SAMPLE_DIVERGED] = "the expansion does not contract",
+        [PDMC_SAMPLE_SINGULAR] = "the system is singular",
+        [PDMC_SAMPLE_SOFT] = "the modulus or the thickness is not positive",
+        [PDMC_SAMPLE_GEOMETRY] = "cracks leave the plate, are too short, come too near, or cannot be discretised",
+    };
+    char text[512] = "";
+    for (int reason = PDMC_SAMPLE_DIVERGED; reason <= PDMC_SAMPLE_GEOMETRY; reason++) {
+        const size_t length = strlen(text);
+        int count = 0;
+        for (int s = 0; s < results->sample_count; s++) count += results->failure[s] == reason;
+        if (count > 0)
+            snprintf(&text[length], sizeof text - length, "%s in %d %s", length > 0 ? "," : "", count, reasons[reason]);
+    }
+    return pdmc_raise(PDMC_ERR_DATA, "all %d samples failed, there is nothing to summarise:%s", results->sample_count,
+                      text);
+}
+
 pdmc_status pdmc_summarise(const pdmc_run_options *options, const pdmc_sample_counts *counts, pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
     double *x = NULL, *share = NULL;
     bool *event = NULL;
     const size_t samples = (size_t)results->sample_count;
-    if (results->failed_count == results->sample_count)
-        PDMC_FAIL(PDMC_ERR_DATA, "all %d samples failed: there is nothing to summarise", results->sample_count);
+    if (results->failed_count == results->sample_count) return refuse_nothing(results);
     PDMC_TRY(allocate(results));
     PDMC_NEW(x, samples);
     PDMC_NEW(event, samples);

@@ -259,6 +259,20 @@ static void a_crack_that_cannot_be_is_counted(void **state)
     pdmc_study_clear(&study);
 }
 
+// A crack that no sample has inside the plate: the run says why there is nothing.
+static void cracks_that_never_can_be_are_named(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    pdmc_results r;
+    read_study(CRACK, "{ quantity = \"crack_x\"; location = 10; scale = 0.1; }", "samples = 5;", &study);
+    CHECK_STATUS(pdmc_run(&study, &(pdmc_run_options){.threads = 1}, &r), PDMC_ERR_DATA);
+    assert_string_equal(pdmc_last_error(),
+                        "all 5 samples failed, there is nothing to summarise: in 5 cracks leave the plate, are too "
+                        "short, come too near, or cannot be discretised");
+    pdmc_study_clear(&study);
+}
+
 // A crack that goes through an edge keeps its mouth.
 static void a_mouth_stays_outside(void **state)
 {
@@ -362,6 +376,7 @@ int main(void)
         cmocka_unit_test(turned_cracks_have_turned_tips),
         cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(a_crack_that_cannot_be_is_counted),
+        cmocka_unit_test(cracks_that_never_can_be_are_named),
         cmocka_unit_test(a_mouth_stays_outside),
         cmocka_unit_test(growth_of_a_random_length),
     };

@@ -272,6 +272,20 @@ static void tensile_bonds_alone_can_be_counted(void **state)
     pdmc_results_clear(&r);
 }
 
+static void samples_that_all_failed_say_why(void **state)
+{
+    (void)state;
+    uint8_t failure[6] = {PDMC_SAMPLE_SOFT,     PDMC_SAMPLE_DIVERGED, PDMC_SAMPLE_SINGULAR,
+                          PDMC_SAMPLE_DIVERGED, PDMC_SAMPLE_GEOMETRY, PDMC_SAMPLE_DIVERGED};
+    pdmc_results r = {.sample_count = 6, .failed_count = 6, .failure = failure};
+    CHECK_STATUS(pdmc_summarise(&one_thread, NULL, &r), PDMC_ERR_DATA);
+    assert_string_equal(
+        pdmc_last_error(),
+        "all 6 samples failed, there is nothing to summarise: in 3 the expansion does not contract, in 1 the system is "
+        "singular, in 1 the modulus or the thickness is not positive, in 1 cracks leave the plate, are too short, come "
+        "too near, or cannot be discretised");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -287,6 +301,7 @@ int main(void)
         cmocka_unit_test(stresses_and_energies_take_the_modulus_of_the_sample),
         cmocka_unit_test(the_direction_of_the_largest_energy_is_counted),
         cmocka_unit_test(tensile_bonds_alone_can_be_counted),
+        cmocka_unit_test(samples_that_all_failed_say_why),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
