@@ -5,6 +5,7 @@
 
 #include "bond/cracked.h"
 #include "stochastic/certify.h"
+#include "stochastic/growth.h"
 #include "support/drawn_block.h"
 
 #include <cblas.h>
@@ -165,11 +166,93 @@ static void intensities_are_within_their_certificates(void **state)
     fixture_clear(&f);
 }
 
+enum { POINTS = 3 * B };
+static const double toughness_deviation = 0.2; // of the logarithm
+
+// The margins at the points, of one tip or (-1) of any, by a model whose doubts another settles.
+static long evaluate(fixture *f, const pdmc_variables *variables, const pdmc_affine *model, const pdmc_affine *settling,
+                     int tip, const double z[], double g[])
+{
+    const pdmc_run_options options = {.threads = 1};
+    pdmc_growth growth;
+    CHECK_OK(pdmc_growth_create(variables, model, settling, &options, &f->results, &growth));
+    growth.tip = tip;
+    const pdmc_limit_state limit = pdmc_growth_limit(&growth);
+    CHECK_OK(limit.evaluate(limit.context, POINTS, z, g));
+    const long settled = growth.solved_in_full;
+    pdmc_growth_clear(&growth);
+    return settled;
+}
+
+// Gives the tips of every third point the margins +-1e-5 and -0.5, of the next +-1e-5 and 0.5, and of the last -0.5 both.
+static void place_margins(fixture *f, const pdmc_variables *variables, double z[])
+{
+    const double kernel = exp(-0.6 / 0.5);
+    const int first = pdmc_variables_group(variables, PDMC_QUANTITY_FRACTURE_ENERGY)->first;
+    double g[TIPS][POINTS];
+    for (int t = 0; t < TIPS; t++) evaluate(f, variables, &f->c.model, &f->c.model, t, z, g[t]);
+    for (int s = 0; s < POINTS; s++) {
+        const double nearly = s % 2 ? 1e-5 : -1e-5, want[TIPS] = {s % 3 < 2 ? nearly : -0.5, s % 3 == 1 ? 0.5 : -0.5};
+        double *w = &z[s * variables->count + first];
+        const double shift[TIPS] = {(g[0][s] - want[0]) / toughness_deviation,
+                                    (g[1][s] - want[1]) / toughness_deviation};
+        w[0] += shift[0];
+        w[1] += (shift[1] - kernel * shift[0]) / sqrt(1.0 - kernel * kernel);
+    }
+}
+
+static int differences(const double a[], const double b[])
+{
+    int count = 0;
+    for (int s = 0; s < POINTS; s++) count += (a[s] > 0.0) != (b[s] > 0.0);
+    return count;
+}
+
+// Whether any tip grows, each with a fracture energy of its own, a coarse model leaves in doubt where one is near to growing
+// and the other far from it, and not where the other grows anyway. Of those points it is wrong at many.
+static void any_tip_grows_as_in_full(void **state)
+{
+    (void)state;
+    fixture f;
+    pdmc_affine reduced;
+    pdmc_variables variables;
+    double full[POINTS], coarse[POINTS], settled[POINTS];
+    const pdmc_reduced_goal goal = {.error = 0.1};
+    fixture_make(&f);
+    CHECK_OK(pdmc_reduced_create(&f.drawn.variables, &goal, 1, &reduced));
+    const pdmc_distribution law = {PDMC_LOGNORMAL, .location = 0.0, .scale = toughness_deviation, .least = -INFINITY,
+                                   .most = INFINITY};
+    const pdmc_uncertainty toughness = {PDMC_QUANTITY_FRACTURE_ENERGY, .law = law, .has_length = true,
+                                        .covariance = {PDMC_COVARIANCE_EXPONENTIAL, .length = 0.5}};
+    pdmc_uncertainty uncertainties[3] = {f.c.uncertainties[0], f.c.uncertainties[1], toughness};
+    f.c.problem.uncertainties = uncertainties;
+    f.c.problem.uncertainty_count = 3;
+    CHECK_OK(pdmc_variables_create(&f.c.problem, &f.c.model, &variables));
+    double *z = pdmc_calloc((size_t)(POINTS * variables.count), sizeof *z);
+    for (int s = 0; s < POINTS; s++) pdmc_variables_sample(&variables, (uint64_t)s, &z[s * variables.count]);
+    f.c.problem.sampling.inverse = PDMC_INVERSE_KRYLOV;
+    place_margins(&f, &variables, z);
+    evaluate(&f, &variables, &f.c.model, &f.c.model, -1, z, full);
+    f.c.problem.sampling.inverse = PDMC_INVERSE_REDUCED;
+    const long doubts = evaluate(&f, &variables, &reduced, &f.c.model, -1, z, settled);
+    evaluate(&f, &variables, &reduced, &reduced, -1, z, coarse);
+    print_message("%d unknowns: %ld of %d in doubt, of which %d are wrong unless settled\n", reduced.unknowns, doubts,
+                  POINTS, differences(coarse, full));
+    assert_int_equal(doubts, POINTS / 3);
+    assert_int_equal(differences(settled, full), 0);
+    assert_true(differences(coarse, full) > 0);
+    pdmc_free(z);
+    pdmc_variables_clear(&variables);
+    pdmc_affine_clear(&reduced);
+    fixture_clear(&f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(energies_are_within_their_certificates),
         cmocka_unit_test(intensities_are_within_their_certificates),
+        cmocka_unit_test(any_tip_grows_as_in_full),
     };
     pdmc_blas_prepare();
     return cmocka_run_group_tests(tests, NULL, NULL);
