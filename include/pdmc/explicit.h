@@ -19,6 +19,11 @@ typedef struct {
     double strengthening;
 } pdmc_explicit_material;
 
+typedef struct {
+    pdmc_body body; // its nodes belong to the study
+    char *file;     // of these nodes as the study names it; NULL where they are those of the grid in a shape
+} pdmc_explicit_body;
+
 /// What is prescribed in a layer; its history has no points where the value is constant.
 typedef struct {
     pdmc_layer_condition layer;
@@ -40,7 +45,7 @@ typedef struct {
     pdmc_assumption assumption; // ... too
     int material_count, body_count, crack_count, condition_count, sphere_count;
     pdmc_explicit_material *materials;
-    pdmc_body *bodies;
+    pdmc_explicit_body *bodies;
     pdmc_planar_crack *cracks;
     pdmc_explicit_condition *conditions;
     pdmc_explicit_sphere *spheres;
@@ -65,6 +70,9 @@ PDMC_API pdmc_brittle_material pdmc_explicit_law(const pdmc_explicit *problem, c
 
 /// Area or volume of a shape.
 PDMC_API double pdmc_explicit_extent(const pdmc_explicit *problem, const pdmc_shape *shape);
+
+/// The nodes that a body has, or about as many as the grid has in its shape.
+PDMC_API double pdmc_explicit_nodes(const pdmc_explicit *problem, const pdmc_body *body);
 
 /// What a problem amounts to, before its nodes are placed: bodies as if they did not overlap, whole neighbourhoods at
 /// their surfaces, and so upper bounds of bonds and steps.

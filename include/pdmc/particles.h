@@ -28,7 +28,8 @@ typedef struct {
 /// integrals as the spacing falls); or that share, but nothing beyond the horizon, as others do it.
 typedef enum { PDMC_VOLUME_WHOLE, PDMC_VOLUME_PARTIAL, PDMC_VOLUME_TAPERED } pdmc_volume_rule;
 
-typedef enum { PDMC_SHAPE_BOX, PDMC_SHAPE_CYLINDER, PDMC_SHAPE_BALL } pdmc_shape_kind;
+/// Nodes: the body has nodes of its own, wherever they are.
+typedef enum { PDMC_SHAPE_BOX, PDMC_SHAPE_CYLINDER, PDMC_SHAPE_BALL, PDMC_SHAPE_NODES } pdmc_shape_kind;
 
 /// A region of space; nodes on its edge are inside, to 1e-9 of the spacing.
 typedef struct {
@@ -48,7 +49,7 @@ typedef struct {
     char name[PDMC_NAME_SIZE];
     pdmc_shape shape; // of which no node is in another body
     int node_count;
-    const pdmc_node *nodes; // [node_count] instead of those of the grid in the shape; NULL: these
+    const pdmc_node *nodes; // [node_count] of PDMC_SHAPE_NODES
     int material;
     double velocity[PDMC_AXES];
 } pdmc_body;

@@ -21,6 +21,12 @@ typedef struct {
     int16_t *body;
 } cloud;
 
+static int own_nodes(const pdmc_particles_options *options, int body)
+{
+    const pdmc_body *b = &options->bodies[body];
+    return b->shape.kind == PDMC_SHAPE_NODES ? b->node_count : 0;
+}
+
 static void clear_cloud(cloud *c)
 {
     for (int a = 0; a < PDMC_AXES; a++) pdmc_free(c->x[a]);
@@ -48,7 +54,7 @@ static pdmc_status make_grid(const pdmc_particles_options *options, int body[], 
     shaped.body_count = 0;
     PDMC_NEW(bodies, options->body_count);
     for (int b = 0; b < options->body_count; b++) {
-        if (options->bodies[b].nodes) continue;
+        if (options->bodies[b].shape.kind == PDMC_SHAPE_NODES) continue;
         body[shaped.body_count] = b;
         bodies[shaped.body_count++] = options->bodies[b];
     }
@@ -85,7 +91,7 @@ static void add_grid(const pdmc_nodes *grid, const int body[], cloud *c)
 static pdmc_status add_bodies(const pdmc_particles_options *options, cloud *c)
 {
     for (int b = 0; b < options->body_count; b++) {
-        for (int k = 0; options->bodies[b].nodes && k < options->bodies[b].node_count; k++, c->count++) {
+        for (int k = 0; k < own_nodes(options, b); k++, c->count++) {
             const pdmc_node *node = &options->bodies[b].nodes[k];
             const pdmc_status status = check_node(options, b, k);
             if (status != PDMC_OK) return status;
@@ -105,8 +111,7 @@ static pdmc_status collect(const pdmc_particles_options *options, cloud *c)
     PDMC_NEW(body, options->body_count);
     PDMC_TRY(make_grid(options, body, &grid));
     size_t count = (size_t)grid.node_count;
-    for (int b = 0; b < options->body_count; b++)
-        if (options->bodies[b].nodes) count += (size_t)options->bodies[b].node_count;
+    for (int b = 0; b < options->body_count; b++) count += (size_t)own_nodes(options, b);
     if (count == 0) PDMC_FAIL(PDMC_ERR_ARG, "no node: the bodies have none");
     PDMC_TRY(make_cloud(count, c));
     add_grid(&grid, body, c);

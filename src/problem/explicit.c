@@ -12,6 +12,10 @@ void pdmc_explicit_clear(pdmc_explicit *problem)
         pdmc_free((void *)problem->conditions[i].layer.history.time);
         pdmc_free((void *)problem->conditions[i].layer.history.factor);
     }
+    for (int i = 0; problem->bodies && i < problem->body_count; i++) {
+        pdmc_free(problem->bodies[i].file);
+        pdmc_free((void *)problem->bodies[i].body.nodes);
+    }
     pdmc_free(problem->materials);
     pdmc_free(problem->bodies);
     pdmc_free(problem->cracks);
@@ -32,7 +36,14 @@ double pdmc_explicit_extent(const pdmc_explicit *problem, const pdmc_shape *shap
     switch (shape->kind) {
     case PDMC_SHAPE_BOX: return sides;
     case PDMC_SHAPE_CYLINDER: return M_PI * r * r * length;
-    case PDMC_SHAPE_BALL: break;
+    case PDMC_SHAPE_BALL: return dimension == 2 ? M_PI * r * r : 4.0 / 3.0 * M_PI * r * r * r;
+    case PDMC_SHAPE_NODES: break;
     }
-    return dimension == 2 ? M_PI * r * r : 4.0 / 3.0 * M_PI * r * r * r;
+    return 0.0;
+}
+
+double pdmc_explicit_nodes(const pdmc_explicit *problem, const pdmc_body *body)
+{
+    if (body->shape.kind == PDMC_SHAPE_NODES) return body->node_count;
+    return pdmc_explicit_extent(problem, &body->shape) / pow(problem->spacing, problem->dimension);
 }

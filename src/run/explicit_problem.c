@@ -89,9 +89,8 @@ static double stable_step(const pdmc_explicit *p, const neighbour_sums *sums)
 
 pdmc_explicit_amounts pdmc_explicit_count(const pdmc_explicit *problem)
 {
-    double extent = 0.0;
-    for (int i = 0; i < problem->body_count; i++) extent += pdmc_explicit_extent(problem, &problem->bodies[i].shape);
-    const double nodes = extent / pow(problem->spacing, problem->dimension);
+    double nodes = 0.0;
+    for (int i = 0; i < problem->body_count; i++) nodes += pdmc_explicit_nodes(problem, &problem->bodies[i].body);
     const neighbour_sums sums = sum_neighbours(problem);
     const double step = problem->has_step ? problem->step : problem->safety * stable_step(problem, &sums);
     return (pdmc_explicit_amounts){
@@ -101,6 +100,7 @@ pdmc_explicit_amounts pdmc_explicit_count(const pdmc_explicit *problem)
 // What the engine takes, of lists that the study gives in another form.
 typedef struct {
     pdmc_brittle_material *materials;
+    pdmc_body *bodies;
     pdmc_layer_condition *conditions;
     pdmc_rigid_sphere *spheres;
 } lists;
@@ -108,6 +108,7 @@ typedef struct {
 static void drop_lists(lists *l)
 {
     pdmc_free(l->materials);
+    pdmc_free(l->bodies);
     pdmc_free(l->conditions);
     pdmc_free(l->spheres);
 }
@@ -117,9 +118,11 @@ static pdmc_status fill_lists(const pdmc_explicit *p, lists *l)
     static const double start = 0.0, always = 1.0;
     pdmc_status status = PDMC_OK;
     PDMC_NEW(l->materials, p->material_count);
+    PDMC_NEW(l->bodies, p->body_count);
     PDMC_NEW(l->conditions, p->condition_count);
     PDMC_NEW(l->spheres, p->sphere_count);
     for (int i = 0; i < p->material_count; i++) l->materials[i] = pdmc_explicit_law(p, &p->materials[i]);
+    for (int i = 0; i < p->body_count; i++) l->bodies[i] = p->bodies[i].body;
     for (int i = 0; i < p->condition_count; i++) {
         l->conditions[i] = p->conditions[i].layer;
         if (l->conditions[i].history.count == 0) l->conditions[i].history = (pdmc_history){1, &start, &always};
@@ -149,7 +152,7 @@ static pdmc_particles_options options_of(const pdmc_explicit *p, const lists *l,
         .condition_count = p->condition_count,
         .sphere_count = p->sphere_count,
         .materials = l->materials,
-        .bodies = p->bodies,
+        .bodies = l->bodies,
         .cracks = p->cracks,
         .conditions = l->conditions,
         .spheres = l->spheres,

@@ -88,7 +88,7 @@ static pdmc_status prepare_nodes(pdmc_recorder *r)
     PDMC_NEW(r->piece, n);
     pdmc_particles_reference(r->particles, record->node_position, record->node_body);
     for (int b = 0; b < record->body_count; b++)
-        memcpy(record->bodies[b].name, r->study->bodies[b].name, sizeof r->study->bodies[b].name);
+        memcpy(record->bodies[b].name, r->study->bodies[b].body.name, sizeof r->study->bodies[b].body.name);
 done:
     return status;
 }

@@ -4,6 +4,9 @@
 
 #include "study/study_impl.h"
 
+#include "base/base_impl.h"
+#include "problem/nodes_file.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -83,13 +86,39 @@ static pdmc_status check_shape(const pdmc_study_reader *reader, pdmc_study_secti
     return check_cylinder(reader, to, shape);
 }
 
+// A file is beside the one that names it, unless its path begins at the root.
+static char *path_beside(const char *file, const char *name)
+{
+    const char *slash = *name == '/' ? NULL : strrchr(file, '/');
+    const size_t folder = slash ? (size_t)(slash - file) + 1 : 0;
+    char *path = pdmc_calloc(folder + strlen(name) + 1, 1);
+    if (!path) return NULL;
+    memcpy(path, file, folder);
+    memcpy(&path[folder], name, strlen(name));
+    return path;
+}
+
+static pdmc_status read_nodes(const pdmc_study_reader *reader, int index)
+{
+    pdmc_explicit_body *body = &reader->motion->bodies[index];
+    const config_setting_t *setting = pdmc_study_locate(reader, at(SECTION_BODIES, index, "file"));
+    int line;
+    pdmc_node *nodes = NULL;
+    char *path =
+        path_beside(pdmc_study_source_place(reader->source, config_setting_source_line(setting), &line), body->file);
+    if (!path) return PDMC_ERR_NOMEM;
+    const pdmc_status status = pdmc_nodes_read(path, reader->motion->dimension, &body->body.node_count, &nodes);
+    body->body.nodes = nodes;
+    pdmc_free(path);
+    return status;
+}
+
 static pdmc_status check_size(const pdmc_study_reader *reader)
 {
     const double node_limit = 2e8;
     const pdmc_explicit *motion = reader->motion;
-    double extent = 0.0;
-    for (int i = 0; i < motion->body_count; i++) extent += pdmc_explicit_extent(motion, &motion->bodies[i].shape);
-    const double nodes = extent / pow(motion->spacing, motion->dimension);
+    double nodes = 0.0;
+    for (int i = 0; i < motion->body_count; i++) nodes += pdmc_explicit_nodes(motion, &motion->bodies[i].body);
     if (nodes <= node_limit) return PDMC_OK;
     return pdmc_study_refuse(reader, at(SECTION_PARTICLE_GRID, -1, "spacing"),
                              "%g gives the bodies %.3g nodes, must be at most %.3g", motion->spacing, nodes,
@@ -103,7 +132,8 @@ pdmc_status pdmc_study_check_bodies(const pdmc_study_reader *reader)
     if (motion->body_count == 0)
         return pdmc_study_refuse(reader, at(SECTION_BODIES, -1, NULL), "no body, must be one at least");
     for (int i = 0; i < motion->body_count && status == PDMC_OK; i++)
-        status = check_shape(reader, SECTION_BODIES, i, &motion->bodies[i].shape);
+        status = motion->bodies[i].file ? read_nodes(reader, i)
+                                        : check_shape(reader, SECTION_BODIES, i, &motion->bodies[i].body.shape);
     return status == PDMC_OK ? check_size(reader) : status;
 }
 

@@ -28,13 +28,14 @@
 #define BOX ONLY(PDMC_SHAPE_BOX)
 #define CYLINDER ONLY(PDMC_SHAPE_CYLINDER)
 #define BALL ONLY(PDMC_SHAPE_BALL)
+#define NODES ONLY(PDMC_SHAPE_NODES)
 #define SEGMENT ONLY(PDMC_CRACK_SEGMENT)
 #define DISC ONLY(PDMC_CRACK_DISC)
 #define RECTANGLE ONLY(PDMC_CRACK_RECTANGLE)
 // Where a body is, or a condition acts.
-#define SHAPE_OF(section, place)                                                                                       \
-    {section, "shape", KIND_CHOICE, .offset = place(kind), .choices = SHAPES, .fallback = "box",                       \
-     .doc = "a box along the axes, a cylinder along one, a ball, which is a disc in the plane"},                       \
+#define SHAPE_OF(section, place, allowed, others)                                                                      \
+    {section, "shape", KIND_CHOICE, .offset = place(kind), .choices = allowed, .fallback = "box",                      \
+     .doc = "a box along the axes, a cylinder along one, a ball, which is a disc in the plane" others},                \
     {section, "from", KIND_VECTOR, UNIT_LENGTH, ANY, place(from), WHERE("shape", BOX | CYLINDER),                      \
      .doc = "lowest corner of a box, middle of one end of a cylinder"},                                                \
     {section, "to", KIND_VECTOR, UNIT_LENGTH, ANY, place(to), WHERE("shape", BOX | CYLINDER),                          \
@@ -42,7 +43,7 @@
     {section, "centre", KIND_VECTOR, UNIT_LENGTH, ANY, place(centre), WHERE("shape", BALL), .doc = "of a ball"},       \
     {section, "radius", KIND_REAL, UNIT_LENGTH, POSITIVE, place(radius), WHERE("shape", CYLINDER | BALL),              \
      .doc = "of a cylinder or a ball"}
-#define OF_BODY(field) offsetof(pdmc_body, shape.field)
+#define OF_BODY(field) offsetof(pdmc_explicit_body, body.shape.field)
 #define OF_LAYER(field) offsetof(pdmc_explicit_condition, layer.region.field)
 #define COMPONENT(key, axis)                                                                                           \
     {SECTION_CONDITIONS, key, KIND_OPTIONAL, .range = ANY,                                                             \
@@ -120,7 +121,7 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
     [SECTION_BODIES] = {.name = "bodies", OF(PDMC_EXPLICIT),
                         .doc = "of an explicit study: list of what is held together by bonds; they may touch, but not "
                                "overlap",
-                        PARTICLE_LIST(pdmc_body, bodies, body_count), .check = pdmc_study_check_bodies},
+                        PARTICLE_LIST(pdmc_explicit_body, bodies, body_count), .check = pdmc_study_check_bodies},
     [SECTION_PLANAR_CRACKS] = {.name = "cracks", OF(PDMC_EXPLICIT),
                                .doc = "of an explicit study: list of surfaces whose bonds are broken at the start; the "
                                       "tips of a segment, <name>.from and .to, are followed",
@@ -171,6 +172,7 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define MEASURES CHOICES("bond", "griffith")
 #define VOLUMES CHOICES("whole", "partial", "tapered")
 #define SHAPES CHOICES("box", "cylinder", "ball")
+#define BODY_SHAPES CHOICES("box", "cylinder", "ball", "nodes")
 #define PLANAR_CRACKS CHOICES("segment", "disc", "rectangle")
 #define CONDITIONS CHOICES("velocity", "force", "displacement")
 
@@ -445,12 +447,15 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .offset = offsetof(pdmc_explicit_material, strengthening), .fallback = "0.0",
      .doc = "alpha of s_0 - alpha s_min, by which bonds of compressed nodes hold more"},
 
-    {SECTION_BODIES, "name", KIND_NAME, .offset = offsetof(pdmc_body, name), .fallback = "body1, body2, ...",
+    {SECTION_BODIES, "name", KIND_NAME, .offset = offsetof(pdmc_explicit_body, body.name), .fallback = "body1, body2, ...",
      .doc = "each name once"},
-    SHAPE_OF(SECTION_BODIES, OF_BODY),
-    {SECTION_BODIES, "material", KIND_MATERIAL, .offset = offsetof(pdmc_body, material),
+    SHAPE_OF(SECTION_BODIES, OF_BODY, BODY_SHAPES, "; or nodes of its own"),
+    {SECTION_BODIES, "file", KIND_TEXT, .offset = offsetof(pdmc_explicit_body, file), WHERE("shape", NODES),
+     .doc = "of its nodes, beside the study: x y volume, in space x y z volume, one node a line; the grid's spacing is about "
+            "theirs"},
+    {SECTION_BODIES, "material", KIND_MATERIAL, .offset = offsetof(pdmc_explicit_body, body.material),
      .fallback = "the first material", .doc = "what it is made of"},
-    {SECTION_BODIES, "velocity", KIND_VECTOR, UNIT_VELOCITY, ANY, offsetof(pdmc_body, velocity), .fallback = "zero",
+    {SECTION_BODIES, "velocity", KIND_VECTOR, UNIT_VELOCITY, ANY, offsetof(pdmc_explicit_body, body.velocity), .fallback = "zero",
      .doc = "at the start"},
 
     {SECTION_PLANAR_CRACKS, "name", KIND_NAME, .offset = offsetof(pdmc_planar_crack, name),
@@ -476,7 +481,7 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .fallback = "condition1, condition2, ...", .doc = "each name once"},
     {SECTION_CONDITIONS, "prescribed", KIND_CHOICE, .offset = offsetof(pdmc_explicit_condition, layer.kind),
      .choices = CONDITIONS, .fallback = "velocity", .doc = "the velocity of the nodes, a force on a unit of volume, or the displacement"},
-    SHAPE_OF(SECTION_CONDITIONS, OF_LAYER),
+    SHAPE_OF(SECTION_CONDITIONS, OF_LAYER, SHAPES, ""),
     COMPONENT("x", 0),
     COMPONENT("y", 1),
     COMPONENT("z", 2),

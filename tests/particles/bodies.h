@@ -60,6 +60,7 @@ static inline pdmc_node *scatter_box(specimen *s, const int count[], double ampl
                 *node = (pdmc_node){{x, y, z}, 1.0 + amplitude * scatter(seed)};
                 for (int a = 0; a < s->options.dimension; a++) node->x[a] += amplitude * scatter(seed);
             }
+    s->body.shape.kind = PDMC_SHAPE_NODES;
     s->body.nodes = nodes;
     s->body.node_count = (int)(node - nodes);
     return nodes;

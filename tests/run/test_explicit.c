@@ -72,6 +72,44 @@ static void a_free_body_flies_on(void **state)
     pdmc_results_clear(&r);
 }
 
+// A plate that is torn, once as a box and once by a file of its nodes: the same records, and nodes in the order of the file.
+static void nodes_of_a_file_are_those_of_a_grid(void **state)
+{
+    (void)state;
+#define BESIDE                                                                                                         \
+    "cracks = ( { from = [2.8, 0.0]; to = [3.2, 4.0]; } );\n"                                                              \
+    "conditions = ( { prescribed = \"force\"; from = [0, 0]; to = [3, 9]; x = -0.01; },\n"                             \
+    "               { prescribed = \"force\"; from = [9, 0]; to = [12, 9]; x = 0.01; } );\n"                          \
+    "time = { duration = 18; step = 0.3; }; record = { interval = 3; snapshots = 2; };"
+    const pdmc_run_options options = {.threads = 2};
+    pdmc_results box, file;
+    FILE *nodes = fopen("nodes.txt", "w");
+    assert_non_null(nodes);
+    for (int k = 0; k < 108; k++) fprintf(nodes, "%g %g 0.25\n", 0.5 + k / 9, 0.5 + k % 9);
+    assert_int_equal(fclose(nodes), 0);
+    run_explicit(GRID GLASS "bodies = ( { from = [0, 0]; to = [12, 9]; } );\n" BESIDE, &options, &box);
+    run_explicit(GRID GLASS "bodies = ( { shape = \"nodes\"; file = \"nodes.txt\"; } );\n" BESIDE, &options, &file);
+    const pdmc_explicit_record *a = &box.particles, *b = &file.particles;
+    assert_int_equal(b->node_count, a->node_count);
+    CHECK_NEAR(b->bonds, a->bonds, 0.0);
+    assert_true(a->broken[a->record_count - 1] > a->broken[0] + 100.0);
+    for (int i = 0; i < a->record_count; i++) {
+        CHECK_NEAR(b->broken[i], a->broken[i], 0.0);
+        CHECK_NEAR(b->kinetic[i], a->kinetic[i], 1e-12 * a->kinetic[a->record_count - 1]);
+        CHECK_NEAR(b->elastic[i], a->elastic[i], 1e-12 * a->elastic[a->record_count - 1]);
+        CHECK_NEAR(b->work[i], a->work[i], 1e-12 * a->work[a->record_count - 1]);
+    }
+    for (int k = 0; k < 108; k++) { // along y first in the file
+        const int other = k % 9 * 12 + k / 9;
+        CHECK_NEAR(b->node_position[3 * k], a->node_position[3 * other], 0.0);
+        CHECK_NEAR(b->node_position[3 * k + 1], a->node_position[3 * other + 1], 0.0);
+        CHECK_NEAR(b->damage[108 + k], a->damage[108 + other], 0.0);
+        CHECK_NEAR(b->displacement[3 * (108 + k)], a->displacement[3 * (108 + other)], 1e-12);
+    }
+    pdmc_results_clear(&box);
+    pdmc_results_clear(&file);
+}
+
 // Nodes of mass 0.5: 16 of them right of a crack, 8 left of it, and a body of one node that flies away.
 static void pieces_are_recorded(void **state)
 {
@@ -366,6 +404,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_free_body_flies_on),
+        cmocka_unit_test(nodes_of_a_file_are_those_of_a_grid),
         cmocka_unit_test(pieces_are_recorded),
         cmocka_unit_test(both_tips_of_a_crack_grow_alike),
         cmocka_unit_test(results_do_not_depend_on_threads),

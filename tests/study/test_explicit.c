@@ -74,10 +74,10 @@ static void what_is_given_is_kept(void **state)
     assert_int_equal(m->assumption, PDMC_PLANE_STRAIN);
     assert_true(m->materials[0].has_bulk_modulus && m->materials[0].has_critical_stretch);
     assert_false(m->materials[0].has_youngs_modulus || m->materials[0].has_fracture_energy);
-    assert_int_equal(m->bodies[0].material, 1);
-    assert_int_equal(m->bodies[1].material, 0);
-    assert_int_equal(m->bodies[1].shape.kind, PDMC_SHAPE_BALL);
-    CHECK_NEAR(m->bodies[0].velocity[1], -1.0, 0.0);
+    assert_int_equal(m->bodies[0].body.material, 1);
+    assert_int_equal(m->bodies[1].body.material, 0);
+    assert_int_equal(m->bodies[1].body.shape.kind, PDMC_SHAPE_BALL);
+    CHECK_NEAR(m->bodies[0].body.velocity[1], -1.0, 0.0);
     assert_int_equal(m->crack_count, 1);
     CHECK_NEAR(m->cracks[0].to[0], 5.0, 0.0);
     const pdmc_layer_condition *strip = &m->conditions[0].layer, *force = &m->conditions[1].layer;
@@ -311,6 +311,92 @@ static void the_plane_has_no_depth(void **state)
     }
 }
 
+static const char with_nodes[] =
+    "kind = \"explicit\"; grid = { dimension = 2; spacing = 0.5; };\n"
+    "materials = ( { density = 2; youngs_modulus = 3; } ); time = { duration = 10; };\n"
+    "bodies = ( { from = [9, 9]; to = [10, 10]; }, { shape = \"nodes\"; file = \"%s\"; velocity = [1, 2]; } );\n";
+
+static pdmc_status read_nodes(const char *nodes, pdmc_study *study)
+{
+    char text[512];
+    snprintf(text, sizeof text, with_nodes, "plate.txt");
+    write_text("plate.txt", nodes);
+    return read_text(text, study);
+}
+
+static void nodes_come_from_a_file(void **state)
+{
+    (void)state;
+    pdmc_study study, again;
+    CHECK_OK(read_nodes("# a plate\n\n0.25 -1e-1 2.5e-2 # the corner\n\t-3 4\t0.5\r\n", &study));
+    const pdmc_explicit_body *plate = &study.motion.bodies[1];
+    assert_string_equal(plate->file, "plate.txt");
+    assert_int_equal(plate->body.node_count, 2);
+    const pdmc_node first = {{0.25, -0.1, 0.0}, 0.025}, second = {{-3.0, 4.0, 0.0}, 0.5};
+    assert_memory_equal(&plate->body.nodes[0], &first, sizeof first);
+    assert_memory_equal(&plate->body.nodes[1], &second, sizeof second);
+    CHECK_NEAR(pdmc_explicit_nodes(&study.motion, &plate->body), 2.0, 0.0);
+    CHECK_NEAR(pdmc_explicit_nodes(&study.motion, &study.motion.bodies[0].body), 4.0, 0.0);
+    CHECK_OK(read_text(study.resolved, &again));
+    assert_string_equal(study.resolved, again.resolved);
+    assert_memory_equal(plate->body.nodes, again.motion.bodies[1].body.nodes, 2 * sizeof first);
+    pdmc_study_clear(&study);
+    pdmc_study_clear(&again);
+}
+
+/// A file is beside the one that names it, also where that is included from another folder.
+static void files_are_beside_the_study(void **state)
+{
+    (void)state;
+    char text[512];
+    pdmc_study study;
+    assert_int_equal(mkdir("inner", 0700), 0);
+    write_text("inner/plate.txt", "1 2 3\n");
+    snprintf(text, sizeof text, with_nodes, "plate.txt");
+    write_text("inner/study.cfg", text);
+    CHECK_OK(pdmc_study_read("inner/study.cfg", &study));
+    assert_int_equal(study.motion.bodies[1].body.node_count, 1);
+    pdmc_study_clear(&study);
+    CHECK_OK(read_text("@include \"inner/study.cfg\"\n", &study));
+    assert_int_equal(study.motion.bodies[1].body.node_count, 1);
+    pdmc_study_clear(&study);
+}
+
+static void nodes_that_cannot_be(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    static const char *const mistakes[][2] = {
+        {"0 0 1\n1 0\n", "plate.txt:2: is no node, must be three numbers, x y volume"},
+        {"0 0 1\n# ...\n1 0 0 1\n", "plate.txt:3: is no node, must be three numbers, x y volume"},
+        {"0 0 1\n1 0 one\n", "plate.txt:2: is no node, must be three numbers, x y volume"},
+        {"0 0 1,5\n", "plate.txt:1: is no node, must be three numbers, x y volume"},
+        {"0 0 1\n1 nan 1\n", "plate.txt:2: nan, must be finite"},
+        {"0 inf 1\n", "plate.txt:1: inf, must be finite"},
+        {"0 0 1\n1 0 0\n", "plate.txt:2: the volume is 0, must be > 0"},
+        {"0 0 -1\n", "plate.txt:1: the volume is -1, must be > 0"},
+        {"5 6 1\n0 0 1\n7 8 1\n5 6 2\n", "plate.txt:4: the node is in the place of that of line 1"},
+        {"# nothing\n", "plate.txt: has no node"},
+    };
+    for (size_t i = 0; i < sizeof mistakes / sizeof mistakes[0]; i++) {
+        CHECK_STATUS(read_nodes(mistakes[i][0], &study), PDMC_ERR_DATA);
+        assert_string_equal(pdmc_last_error(), mistakes[i][1]);
+    }
+    char text[512];
+    snprintf(text, sizeof text, with_nodes, "missing.txt");
+    CHECK_STATUS(read_text(text, &study), PDMC_ERR_NO_INPUT);
+    assert_string_equal(pdmc_last_error(), "missing.txt: No such file or directory");
+    const mistake others[] = {
+        {BODIES, "bodies = ( { shape = \"nodes\"; } );",
+         "study.cfg:4: bodies[0].file: is missing, must be a text, not empty and without control characters"},
+        {BODIES, "bodies = ( { from = [0, 0, 0]; to = [1, 1, 1]; file = \"a\"; } );",
+         "study.cfg:4: bodies[0].file: is no setting of the shape \"box\""},
+        {CONDITIONS, "conditions = ( { shape = \"nodes\"; x = 1; } );",
+         "study.cfg:6: conditions[0].shape: \"nodes\" is not allowed, must be \"box\", \"cylinder\" or \"ball\""},
+    };
+    EXPECT(others);
+}
+
 static void plates_have_no_bodies(void **state)
 {
     (void)state;
@@ -340,6 +426,9 @@ int main(void)
         cmocka_unit_test(bodies_and_cracks_that_cannot_be),
         cmocka_unit_test(conditions_and_times_that_cannot_be),
         cmocka_unit_test(the_plane_has_no_depth),
+        cmocka_unit_test(nodes_come_from_a_file),
+        cmocka_unit_test(files_are_beside_the_study),
+        cmocka_unit_test(nodes_that_cannot_be),
         cmocka_unit_test(plates_have_no_bodies),
         cmocka_unit_test(memory_that_is_refused_is_told),
     };
