@@ -1,67 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/// Conjugate gradients on a chain of springs, x_k to x_(k+1), of two materials; its first node is held.
+/// Conjugate gradients on a chain of springs.
 
-#include "check.h"
+#include "stochastic/chain.h"
 #include "stochastic/krylov.h"
 
-#include <lapacke.h>
 #include <math.h>
-#include <string.h>
 
-enum { N = 30, TERMS = 2 };
-
-static int material(int spring)
-{
-    return spring % 3 == 0;
-}
-
-// y = sum of springs' forces; 0 where held.
-static void forces(const double stiffness[TERMS], const double x[], double y[])
-{
-    for (int k = 0; k < N; k++) y[k] = 0.0;
-    for (int k = 0; k + 1 < N; k++) {
-        const double f = stiffness[material(k)] * (k + 1.0) * (x[k + 1] - x[k]);
-        y[k] -= f;
-        y[k + 1] += f;
-    }
-    y[0] = 0.0;
-}
-
-static pdmc_status multiply(const pdmc_affine *model, double mean, const double xi[], const double x[], double y[])
-{
-    (void)model;
-    for (int s = 0; s < PDMC_BLOCK; s++) {
-        const double stiffness[TERMS] = {mean + xi[s * TERMS], mean + xi[s * TERMS + 1]};
-        forces(stiffness, &x[s * N], &y[s * N]);
-    }
-    return PDMC_OK;
-}
-
-static void solve_one(const double xi[], const double f[], double x[])
-{
-    double K[N * N] = {0.0};
-    const double stiffness[TERMS] = {1.0 + xi[0], 1.0 + xi[1]};
-    for (int k = 0; k < N; k++) {
-        double unit[N] = {0.0};
-        unit[k] = k > 0;
-        forces(stiffness, unit, &K[k * N]);
-    }
-    K[0] = 1.0;
-    memcpy(x, f, N * sizeof *x);
-    lapack_int pivot[N];
-    assert_int_equal(LAPACKE_dgesv(LAPACK_COL_MAJOR, N, 1, K, N, pivot, x, N), 0);
-}
-
-static pdmc_status precondition(const pdmc_affine *model, int count, const double r[], double z[])
-{
-    (void)model;
-    const double none[TERMS] = {0.0, 0.0};
-    for (int s = 0; s < count; s++) solve_one(none, &r[s * N], &z[s * N]);
-    return PDMC_OK;
-}
-
-static const pdmc_affine_verbs verbs = {.multiply = multiply, .precondition = precondition};
+static const pdmc_affine_verbs verbs = {.multiply = chain_multiply, .precondition = chain_precondition};
 static const pdmc_affine chain = {.unknowns = N, .terms = TERMS, .verbs = &verbs};
 
 static double xi[PDMC_BLOCK * TERMS], f[PDMC_BLOCK * N], x[PDMC_BLOCK * N];
@@ -74,7 +20,7 @@ static void make_block(void)
         xi[s * TERMS + 1] = 0.5 * cos(3.0 * s);
         for (int k = 0; k < N; k++) f[s * N + k] = k > 0 && s + 1 < PDMC_BLOCK ? sin(0.7 * k + s) : 0.0;
     }
-    assert_int_equal(precondition(&chain, PDMC_BLOCK, f, x), PDMC_OK);
+    assert_int_equal(chain_precondition(&chain, PDMC_BLOCK, f, x), PDMC_OK);
 }
 
 // An error of 1e-10 in the energy norm, relative to the load's, at a smallest eigenvalue of 0.5 of the preconditioned
@@ -87,7 +33,7 @@ static void the_exact_solution_is_found(void **state)
     CHECK_OK(pdmc_krylov_solve(&chain, xi, 1e-10, x, residual));
     for (int s = 0; s < PDMC_BLOCK; s++) {
         double size = 0.0, error = 0.0;
-        solve_one(&xi[s * TERMS], &f[s * N], exact);
+        chain_solve(&xi[s * TERMS], &f[s * N], exact);
         for (int k = 0; k < N; k++) {
             size = fmax(size, fabs(exact[k]));
             error = fmax(error, fabs(x[s * N + k] - exact[k]));
