@@ -45,6 +45,7 @@ typedef struct {
     int layers[PDMC_SOLID_FACES]; // layers of nodes at each face with the displacement of `strain`, u = strain x
     double strain[3][3];          // symmetric
     pdmc_solid_load load[PDMC_SOLID_FACES];
+    int threads; // >= 1; no result depends on it
 } pdmc_solid_options;
 
 typedef struct pdmc_solid pdmc_solid;

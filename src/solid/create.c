@@ -13,6 +13,7 @@ static pdmc_status check(const pdmc_solid_options *o)
     PDMC_REQUIRE(o->youngs_modulus > 0.0 && isfinite(o->youngs_modulus), "Young's modulus must be positive");
     PDMC_REQUIRE(o->rule == PDMC_SOLID_CUBIC_CELL || (o->gauss_points >= 2 && o->gauss_points <= 4),
                  "2 to 4 Gauss points a side");
+    PDMC_REQUIRE(o->threads >= 1, "threads must be at least 1");
     for (int face = 0; face < PDMC_SOLID_FACES; face++)
         PDMC_REQUIRE(o->layers[face] >= 0, "layers must not be negative");
     return PDMC_OK;
@@ -49,12 +50,29 @@ static void sum_rows(pdmc_solid *solid)
     }
 }
 
+/// Gauss points are displaced by the nodes about them; the body of cubic cells corrects towards their equilibrium.
+static pdmc_status interpolate(pdmc_solid *solid)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_solid_options cells = solid->options;
+    if (solid->options.rule != PDMC_SOLID_GAUSS) return PDMC_OK;
+    PDMC_TRY(solid_interpolation_create(&solid->options, &solid->stencil, &solid->interpolation));
+    PDMC_NEW(solid->points, 3 * solid->nodes * (size_t)solid->stencil.points);
+    cells.rule = PDMC_SOLID_CUBIC_CELL;
+    if (cells.compensation == PDMC_COMPENSATION_NONE) cells.compensation = PDMC_COMPENSATION_EXACT;
+    for (int face = 0; face < PDMC_SOLID_FACES; face++) cells.load[face] = (pdmc_solid_load){0};
+    PDMC_TRY(pdmc_solid_create(&cells, &solid->cells));
+done:
+    return status;
+}
+
 pdmc_status pdmc_solid_create(const pdmc_solid_options *options, pdmc_solid **out)
 {
     pdmc_status status = PDMC_OK;
     pdmc_solid *solid = NULL;
     *out = NULL;
     PDMC_TRY(check(options));
+    pdmc_blas_prepare();
     PDMC_NEW(solid, 1);
     solid->options = *options;
     solid->nodes = (size_t)options->nodes[0] * (size_t)options->nodes[1] * (size_t)options->nodes[2];
@@ -72,6 +90,7 @@ pdmc_status pdmc_solid_create(const pdmc_solid_options *options, pdmc_solid **ou
     prescribe(solid);
     sum_rows(solid);
     PDMC_TRY(solid_add_tractions(solid));
+    PDMC_TRY(interpolate(solid));
     *out = solid;
     solid = NULL;
 done:
@@ -83,6 +102,9 @@ void pdmc_solid_destroy(pdmc_solid *solid)
 {
     if (!solid) return;
     solid_stencil_clear(&solid->stencil);
+    solid_interpolation_clear(&solid->interpolation);
+    pdmc_free(solid->points);
+    pdmc_solid_destroy(solid->cells);
     pdmc_free(solid->compensation);
     pdmc_free(solid->prescribed);
     pdmc_free(solid->traction);

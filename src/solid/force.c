@@ -47,12 +47,13 @@ void solid_add_bond_forces(const pdmc_solid *solid, const double u[], const doub
 {
     const int lines = solid->options.nodes[1] * solid->options.nodes[2];
     if (energy) memset(energy, 0, solid->nodes * sizeof *energy);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) num_threads(solid->options.threads)
     for (int line = 0; line < lines; line++) add_row(solid, line, u, points, force, energy);
 }
 
 void pdmc_solid_force(const pdmc_solid *solid, const double u[], double force[], double energy[])
 {
     memcpy(force, solid->traction, 3 * solid->nodes * sizeof *force);
-    solid_add_bond_forces(solid, u, u, force, energy);
+    if (solid->points) solid_interpolate(&solid->interpolation, solid->options.threads, solid->nodes, u, solid->points);
+    solid_add_bond_forces(solid, u, solid->points ? solid->points : u, force, energy);
 }

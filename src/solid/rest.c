@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { MAX_ITERATIONS = 5000 };
+enum { MAX_ITERATIONS = 5000, MAX_CORRECTIONS = 200 };
 static const double BALANCE = 1e-4; // of loads that nothing holds, of their size: the traction's rule leaves 1e-6
 
 double solid_dot(size_t count, const double a[], const double b[])
@@ -69,6 +69,34 @@ done:
     return status;
 }
 
+/// Corrections by the body of cubic cells, whose bonds are nearly those of the body, until the body's own forces are small.
+static pdmc_status correct(const pdmc_solid *solid, const solid_rigid *rigid, double tolerance, double residual[],
+                           double u[], pdmc_solid_solution *solution)
+{
+    pdmc_status status = PDMC_OK;
+    const size_t n = 3 * solid->nodes;
+    const double first = solid_norm(n, residual);
+    double *step = NULL;
+    PDMC_NEW(step, n);
+    for (int round = 0;; round++) {
+        pdmc_solid_solution inner;
+        solution->residual = first > 0.0 ? solid_norm(n, residual) / first : 0.0;
+        if (solution->residual <= tolerance) break;
+        if (round == MAX_CORRECTIONS || !(solution->residual < 1e3))
+            PDMC_FAIL(PDMC_ERR_SINGULAR, "no equilibrium after %d corrections: residual %g, wanted %g", round,
+                      solution->residual, tolerance);
+        memset(step, 0, n * sizeof *step);
+        PDMC_TRY(conjugate_gradients(solid->cells, rigid, 0.03, residual, step, &inner));
+        solution->iterations += inner.iterations;
+        for (size_t i = 0; i < n; i++) u[i] += step[i];
+        pdmc_solid_force(solid, u, residual, NULL);
+        keep_free(solid, rigid, residual);
+    }
+done:
+    pdmc_free(step);
+    return status;
+}
+
 pdmc_status pdmc_solid_rest(const pdmc_solid *solid, double tolerance, double u[], pdmc_solid_solution *solution)
 {
     pdmc_status status = PDMC_OK;
@@ -80,6 +108,8 @@ pdmc_status pdmc_solid_rest(const pdmc_solid *solid, double tolerance, double u[
     PDMC_TRY(solid_rigid_create(solid, &rigid));
     PDMC_NEW(residual, n);
     pdmc_solid_force(solid, u, residual, NULL);
+    if (rigid.count && solid->cells)
+        PDMC_FAIL(PDMC_ERR_ARG, "Gauss points need a body that is held: their forces are not in balance by themselves");
     if (rigid.count) {
         const double all = solid_norm(n, residual);
         solid_rigid_remove(&rigid, residual);
@@ -88,7 +118,7 @@ pdmc_status pdmc_solid_rest(const pdmc_solid *solid, double tolerance, double u[
             PDMC_FAIL(PDMC_ERR_ARG, "nothing holds the body, and its loads are not in balance");
     }
     keep_free(solid, &rigid, residual);
-    PDMC_TRY(conjugate_gradients(solid, &rigid, tolerance, residual, u, solution));
+    PDMC_TRY((solid->cells ? correct : conjugate_gradients)(solid, &rigid, tolerance, residual, u, solution));
 done:
     solid_rigid_clear(&rigid);
     pdmc_free(residual);

@@ -20,21 +20,39 @@ typedef struct {
     solid_bond *bond; // [count]
 } solid_stencil;
 
+/// Shape functions of all points of a cell, for every class of nodes (interpolation.c).
+typedef struct {
+    int nodes[3], points, reach, classes[3];
+    size_t terms;
+    size_t *first;   // [class, point] where its terms begin; one more at the end
+    int (*shift)[3]; // [terms] from the cell's node to the one that contributes
+    double *weight;  // [terms]
+} solid_interpolation;
+
 struct pdmc_solid {
     pdmc_solid_options options;
     size_t nodes;
     double micromodulus;
     solid_stencil stencil;
-    double *compensation;          // [nodes]
-    unsigned char *prescribed;     // [nodes]
-    bool loaded[PDMC_SOLID_FACES]; // whether a traction acts there
-    double *traction;              // [3, nodes]
-    double *row_sum;               // [3, nodes]
+    solid_interpolation interpolation; // PDMC_SOLID_GAUSS only
+    double *points;                    // [points of a cell, 3, nodes] where they are displaced to; the same
+    pdmc_solid *cells;                 // the same body by cubic cells, whose matrix is symmetric; the same
+    double *compensation;              // [nodes]
+    unsigned char *prescribed;         // [nodes]
+    bool loaded[PDMC_SOLID_FACES];     // whether a traction acts there
+    double *traction;                  // [3, nodes]
+    double *row_sum;                   // [3, nodes]
 };
 
 /// The points of a rule within the horizon of a node.
 pdmc_status solid_stencil_create(const pdmc_solid_options *options, double micromodulus, solid_stencil *stencil);
 void solid_stencil_clear(solid_stencil *stencil);
+
+pdmc_status solid_interpolation_create(const pdmc_solid_options *options, const solid_stencil *stencil,
+                                       solid_interpolation *interpolation);
+void solid_interpolation_clear(solid_interpolation *interpolation);
+void solid_interpolate(const solid_interpolation *interpolation, int threads, size_t nodes, const double u[],
+                       double points[]);
 
 /// beta_s of every node, once the stencil is there.
 void solid_compensate(pdmc_solid *solid);

@@ -2,77 +2,75 @@
 #include "solid_impl.h"
 
 #include "base/base_impl.h"
+#include "pdmc/horizon.h"
 #include "pdmc/quadrature.h"
 
 #include <math.h>
 
-enum { MAX_POINTS = 4 };
+enum { MAX_SIDE = 4 };
 
-/// The share of a cube of size `size` about a point at distance r that lies within the horizon (Yu 2011, eq. 2.16, 3.14).
-static double share_within(double r, double horizon, double size)
+static int points_a_side(const pdmc_solid_options *options)
 {
-    return fmax(0.0, fmin(1.0, (horizon + 0.5 * size - r) / size));
+    return options->rule == PDMC_SOLID_GAUSS ? options->gauss_points : 1;
 }
 
-typedef struct {
-    int along;                                 // points along each direction
-    double at[MAX_POINTS], weight[MAX_POINTS]; // in a cell of size 1
-} cell_rule;
-
-static pdmc_status cell_rule_create(const pdmc_solid_options *options, cell_rule *rule)
+/// Positions of a cell's points from its node, the first direction fastest.
+static pdmc_status place_points(const pdmc_solid_options *options, solid_stencil *stencil)
 {
-    if (options->rule == PDMC_SOLID_CUBIC_CELL) {
-        *rule = (cell_rule){1, {0.0}, {1.0}};
-        return PDMC_OK;
+    pdmc_status status = PDMC_OK;
+    const int side = points_a_side(options);
+    double at[MAX_SIDE], weight[MAX_SIDE];
+    stencil->points = side * side * side;
+    PDMC_NEW(stencil->at, stencil->points);
+    PDMC_TRY(pdmc_gauss_legendre(side, -0.5 * options->spacing, 0.5 * options->spacing, at, weight));
+    for (int p = 0; p < stencil->points; p++) {
+        const int along[3] = {p % side, p / side % side, p / (side * side)};
+        for (int k = 0; k < 3; k++) stencil->at[p][k] = at[along[k]];
     }
-    rule->along = options->gauss_points;
-    return pdmc_gauss_legendre(rule->along, -0.5, 0.5, rule->at, rule->weight);
+done:
+    return status;
 }
 
-/// Volume of a point that counts in a node's horizon. A cell of one point counts while its node is within the horizon, as
-/// the tables of Yu (2011) were made; Gauss points count by their share.
-static double volume_within(const pdmc_solid_options *options, double r, double volume)
+/// Which of a cell's points stands at `offset` from its node: Gauss' abscissas lie one in each of as many equal parts.
+static int point_at(const pdmc_solid_options *options, const double offset[3])
 {
-    if (options->rule == PDMC_SOLID_CUBIC_CELL && r > options->horizon * (1.0 + 1e-12)) return 0.0;
-    return volume * share_within(r, options->horizon, cbrt(volume));
+    const int side = points_a_side(options);
+    int along[3];
+    for (int k = 0; k < 3; k++) along[k] = (int)floor((offset[k] / options->spacing + 0.5) * side);
+    return (along[2] * side + along[1]) * side + along[0];
 }
 
-static void add_cell(const pdmc_solid_options *options, double micromodulus, const cell_rule *rule, const int shift[3],
-                     solid_stencil *stencil)
+static void add_bond(const pdmc_solid_options *options, double micromodulus, const int cell[3], const double xi[3],
+                     double volume, solid_stencil *stencil)
 {
-    const double h = options->spacing;
-    for (int point = 0; point < stencil->points; point++) {
-        const int n = rule->along, along[3] = {point % n, point / n % n, point / (n * n)};
-        double volume = 1.0, squared = 0.0;
-        solid_bond bond = {{shift[0], shift[1], shift[2]}, point, {0.0}, 0.0};
-        for (int k = 0; k < 3; k++) {
-            stencil->at[point][k] = rule->at[along[k]] * h;
-            bond.xi[k] = shift[k] * h + stencil->at[point][k];
-            squared += bond.xi[k] * bond.xi[k];
-            volume *= rule->weight[along[k]] * h;
-        }
-        const double r = sqrt(squared);
-        if (r == 0.0) continue;
-        bond.stiffness = volume_within(options, r, volume) * micromodulus / (r * squared);
-        if (bond.stiffness > 0.0) stencil->bond[stencil->count++] = bond;
+    solid_bond bond = {.shift = {cell[0], cell[1], cell[2]}, .xi = {xi[0], xi[1], xi[2]}};
+    double offset[3], squared = 0.0;
+    for (int k = 0; k < 3; k++) {
+        offset[k] = xi[k] - cell[k] * options->spacing;
+        squared += xi[k] * xi[k];
     }
+    if (squared == 0.0) return;
+    bond.point = point_at(options, offset);
+    bond.stiffness = volume * micromodulus / (squared * sqrt(squared));
+    stencil->bond[stencil->count++] = bond;
 }
 
 pdmc_status solid_stencil_create(const pdmc_solid_options *options, double micromodulus, solid_stencil *stencil)
 {
     pdmc_status status = PDMC_OK;
-    const int reach = (int)ceil(options->horizon / options->spacing + 0.5), side = 2 * reach + 1;
-    cell_rule rule;
+    const pdmc_horizon_kind kind = options->rule == PDMC_SOLID_GAUSS ? PDMC_RULE_GAUSS : PDMC_RULE_CUBIC;
+    pdmc_horizon_options rule_options = pdmc_horizon_options_default(kind, 3, options->horizon, options->spacing);
+    pdmc_horizon_rule rule = {0};
     *stencil = (solid_stencil){0};
-    PDMC_TRY(cell_rule_create(options, &rule));
-    stencil->points = rule.along * rule.along * rule.along;
-    PDMC_NEW(stencil->at, stencil->points);
-    PDMC_NEW(stencil->bond, (size_t)stencil->points * (size_t)(side * side * side));
-    for (int z = -reach; z <= reach; z++)
-        for (int y = -reach; y <= reach; y++)
-            for (int x = -reach; x <= reach; x++)
-                add_cell(options, micromodulus, &rule, (const int[]){x, y, z}, stencil);
+    rule_options.gauss_points = points_a_side(options);
+    PDMC_TRY(place_points(options, stencil));
+    PDMC_TRY(pdmc_horizon_rule_create(&rule_options, &rule));
+    PDMC_NEW(stencil->bond, rule.point_count);
+    for (int cell = 0; cell < rule.cell_count; cell++)
+        for (int p = rule.first[cell]; p < rule.first[cell + 1]; p++)
+            add_bond(options, micromodulus, &rule.cell[3 * cell], &rule.position[3 * p], rule.weight[p], stencil);
 done:
+    pdmc_horizon_rule_clear(&rule);
     if (status != PDMC_OK) solid_stencil_clear(stencil);
     return status;
 }

@@ -4,7 +4,6 @@
 #include "check.h"
 
 #include <gsl/gsl_math.h>
-#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,6 +13,7 @@ static const pdmc_solid_options COLUMN = {
     .spacing = 2.0,
     .horizon = 6.0,
     .youngs_modulus = 1e5,
+    .threads = 1,
     .strain = {{-2.5e-5, 0.0, 0.0}, {0.0, 1e-4, 0.0}, {0.0, 0.0, -2.5e-5}},
 };
 
@@ -191,20 +191,22 @@ static void energy_stays(void **state)
 static void threads(void **state)
 {
     (void)state;
-    pdmc_solid *solid;
-    CHECK_OK(pdmc_solid_create(&COLUMN, &solid));
-    const size_t n = pdmc_solid_nodes(solid);
-    double *u = vector(3 * n), *one = vector(3 * n), *three = vector(3 * n);
-    for (size_t i = 0; i < 3 * n; i++) u[i] = 1e-4 * sin((double)(i * i));
-    const int before = omp_get_max_threads();
-    omp_set_num_threads(1);
-    pdmc_solid_force(solid, u, one, NULL);
-    omp_set_num_threads(3);
-    pdmc_solid_force(solid, u, three, NULL);
-    omp_set_num_threads(before);
-    assert_memory_equal(one, three, 3 * n * sizeof *one);
-    free(u), free(one), free(three);
-    pdmc_solid_destroy(solid);
+    pdmc_solid_options options = COLUMN;
+    double *u = NULL, *force[2] = {NULL, NULL};
+    size_t n = 0;
+    for (int k = 0; k < 2; k++) {
+        pdmc_solid *solid;
+        options.threads = k ? 3 : 1;
+        CHECK_OK(pdmc_solid_create(&options, &solid));
+        n = pdmc_solid_nodes(solid);
+        if (k == 0) u = vector(3 * n);
+        force[k] = vector(3 * n);
+        for (size_t i = 0; i < 3 * n; i++) u[i] = 1e-4 * sin((double)(i * i));
+        pdmc_solid_force(solid, u, force[k], NULL);
+        pdmc_solid_destroy(solid);
+    }
+    assert_memory_equal(force[0], force[1], 3 * n * sizeof *u);
+    free(u), free(force[0]), free(force[1]);
 }
 
 static void refusals(void **state)

@@ -61,7 +61,8 @@ static void areal_force_density(void **state)
         CHECK_NEAR(got[m], 0.4 * modulus * (2.0 * STRAIN[m][2] + (m == 2 ? trace : 0.0)), 1e-4 * modulus);
 }
 
-static const pdmc_solid_options BLOCK = {.nodes = {9, 8, 10}, .spacing = 0.5, .horizon = 1.5, .youngs_modulus = 3.0};
+static const pdmc_solid_options BLOCK = {
+    .nodes = {9, 8, 10}, .spacing = 0.5, .horizon = 1.5, .youngs_modulus = 3.0, .threads = 1};
 
 /// Every face and component: the forces along it add up to the traction's times the area, and a gradient makes
 /// its moment: that of the nodes' tractions, to the rounding of the sums over depths.
