@@ -81,6 +81,25 @@ typedef struct {
 } pdmc_explicit_amounts;
 PDMC_API pdmc_explicit_amounts pdmc_explicit_count(const pdmc_explicit *problem);
 
+/// A sample of a problem with random quantities: factors on what the problem says.
+typedef struct {
+    double load;                            // on all conditions
+    double velocity;                        // on what bodies and spheres start with
+    double youngs_modulus, fracture_energy; // on those of all materials
+    int node_count;
+    const double *stiffness, *strength; // [node_count] on c and s_0 at the nodes; NULL: 1
+    const double *bond_strengths;       // [PDMC_STRENGTH_CLASSES] on s_0 of single bonds; NULL: 1
+    uint64_t seed, sample;              // of these
+} pdmc_explicit_sample;
+
+/// Places the nodes of a sample. A fracture energy's factor acts on s_0 by its root. With another E a material that is given by
+/// its fracture energy keeps that, and one that is given by its critical stretch keeps that.
+/// @param[out] particles  to be destroyed by the caller; NULL on failure
+/// @return as pdmc_explicit_particles(); PDMC_ERR_CONFIG also where a factor is not allowed or the study's step is not stable
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_explicit_sample_particles(const pdmc_explicit *problem,
+                                                                   const pdmc_explicit_sample *sample, int threads,
+                                                                   pdmc_particles **particles);
+
 /// Places the nodes of the problem.
 /// @param[out] particles  to be destroyed by the caller; NULL on failure
 /// @return PDMC_OK, PDMC_ERR_CONFIG with what pdmc_particles_create() refuses, or PDMC_ERR_NOMEM

@@ -44,7 +44,8 @@ typedef struct {
     double displacement[2]; // length; 0 where not held
 } pdmc_support;
 
-/// What may be random. The scalars have a distribution of their own; the others, which come first, are functions.
+/// What may be random. The scalars have a distribution of their own; the others, which come first, are functions. In an
+/// explicit study, which may have several materials, a load, E and G_c are factors of mean 1.
 typedef enum {
     PDMC_QUANTITY_MICROMODULUS,    // c(r), the same everywhere
     PDMC_QUANTITY_STIFFNESS,       // M(x) of mean 1, a factor on E
@@ -56,6 +57,8 @@ typedef enum {
     PDMC_QUANTITY_YOUNGS_MODULUS,  // E, force / length^2
     PDMC_QUANTITY_FRACTURE_ENERGY, // G_c, force / length
     PDMC_QUANTITY_THICKNESS,       // length; the forces on the sides stay, so that the tractions go with its inverse
+    PDMC_QUANTITY_VELOCITY,        // of an explicit study: a factor on what bodies and spheres start with
+    PDMC_QUANTITY_BOND_STRENGTH,   // of an explicit study: a factor on s_0, for every bond by itself
     PDMC_QUANTITY_LOAD_LEFT,       // a factor on the traction of one side; others in the order of pdmc_side
     PDMC_QUANTITY_LOAD_RIGHT,
     PDMC_QUANTITY_LOAD_BOTTOM,
@@ -294,7 +297,7 @@ static inline bool pdmc_is_of_sides(pdmc_quantity quantity, pdmc_quantity first)
     return first <= quantity && (int)quantity < (int)first + PDMC_SIDES;
 }
 
-/// The mean of a scalar quantity where the study does not give it: 1 for loads, the material's, the plate's, the length of
+/// The mean of a scalar quantity where the study does not give it: 1 in an explicit study and for loads, the material's, the plate's, the length of
 /// the crack, 0 for its angle and shift and for the direction of a load.
 PDMC_API double pdmc_problem_nominal(const pdmc_problem *problem, pdmc_quantity quantity);
 

@@ -25,6 +25,8 @@ typedef enum {
     PDMC_STREAM_CRACK_X = 15,
     PDMC_STREAM_CRACK_Y = 16,
     PDMC_STREAM_BONDS = 17, // the key of the strengths of single bonds
+    PDMC_STREAM_VELOCITY = 18,
+    PDMC_STREAM_TOUGHNESS = 19, // of the fracture energy in space
     PDMC_STREAM_LOAD_NOISE = 32,     // of the first side; others in the order of pdmc_side
     PDMC_STREAM_LOAD_SIDE = 36,      // ...
     PDMC_STREAM_LOAD_DIRECTION = 40, // ...

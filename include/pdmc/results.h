@@ -212,6 +212,44 @@ typedef struct {
     pdmc_fragment *fragment_list;    // [F] the pieces of the last snapshot
 } pdmc_explicit_record;
 
+/// What becomes of a tip: it never grows; it has stopped; it still grows when the time is over; or it has come through to the
+/// edge of its body, within a horizon.
+typedef enum {
+    PDMC_OUTCOME_STILL,
+    PDMC_OUTCOME_ARRESTED,
+    PDMC_OUTCOME_RUNNING,
+    PDMC_OUTCOME_THROUGH
+} pdmc_outcome;
+enum { PDMC_OUTCOMES = 4 };
+extern PDMC_API const char *const pdmc_outcome_names[PDMC_OUTCOMES]; // "still", ...
+
+/// The samples of an explicit study with random quantities, S of them; T tips, as in its record, which is of the study with
+/// every quantity at its mean; X stations, Q = 3 quantiles, B bins. A sample that failed has NaN. Statistics are of those that
+/// did not.
+typedef struct {
+    int sample_count, failed_count;
+    int tip_count;                                              // T, or 0 where there are no samples
+    uint8_t *failure;                                           // [S] pdmc_sample_failure
+    double *load, *velocity, *youngs_modulus, *fracture_energy; // [S] factors that are the same everywhere
+    double *fracture;                                           // [S] energy in the bonds at the moment they broke
+    uint8_t *outcome;                                           // [S, T] pdmc_outcome
+    double *growth, *begin, *mean_speed, *most_speed;           // [S, T] as pdmc_tip_growth
+    double *end;                                                // [S, T, 2] where the path ends
+    int station_count;                                          // X
+    double *station; // [X] distances ahead of the end of the crack, along its direction
+    double *path;    // [S, T, X] how far to the left of that the damage is, NaN beyond its end
+
+    pdmc_estimate *share;                     // [T, 4] probability of each outcome; bounds count failed samples as both
+    pdmc_estimate *mean_growth, *deviation;   // [T]
+    pdmc_estimate *growth_quantiles;          // [T, Q]
+    double *growth_edges;                     // [T, B + 1]
+    int64_t *growth_counts;                   // [T, B + 2]
+    pdmc_estimate *growth_density;            // [T, B]
+    double *path_samples;                     // [T, X] samples whose path reaches the station
+    pdmc_estimate *path_mean;                 // [T, X] over these
+    pdmc_estimate *path_quantiles;            // [T, X, Q]
+} pdmc_ensemble_results;
+
 typedef struct {
     double assembly, factorisation, operators, energy_rows, sampling, energy, statistics, output, total; // wall seconds
     double reliability; // of rare growth and sensitivities; NaN in files that do not hold it
@@ -250,6 +288,7 @@ typedef struct {
 
     pdmc_motion_record motion; // of a dynamic study
     pdmc_explicit_record particles; // of an explicit study
+    pdmc_ensemble_results ensemble; // ... and of its samples, where it has random quantities
 
     // the samples
     int sample_count; // S
@@ -285,6 +324,16 @@ typedef struct {
 
 PDMC_API extern const char *const pdmc_measure_names[PDMC_MEASURES]; // "bond_energy", "griffith_energy"
 
+/// How a tip has grown. Times are those of records.
+typedef struct {
+    double growth;                 // at the end
+    double begin, end;             // the first record with any growth, and the first with all of it; NaN without growth
+    double mean_speed, most_speed; // the former from begin to end: a tip moves by whole spacings; NaN without growth
+} pdmc_tip_growth;
+
+/// Reads it off the records.
+PDMC_API pdmc_tip_growth pdmc_results_growth(const pdmc_explicit_record *record, int tip);
+
 /// What a number of the results is measured in, and so what its unit is made of.
 typedef enum {
     PDMC_UNIT_NONE,             // 1
@@ -302,6 +351,7 @@ typedef enum {
     PDMC_UNIT_MASS,             // force time^2 / length
     PDMC_UNIT_MOMENTUM,         // force time
     PDMC_UNIT_FORCE,            // force
+    PDMC_UNIT_PER_LENGTH,       // 1 / length
 } pdmc_unit;
 enum { PDMC_UNIT_SIZE = 160 }; // enough for any unit of a study whose own units have at most 64 characters
 

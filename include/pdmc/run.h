@@ -33,3 +33,6 @@ PDMC_API pdmc_cost pdmc_run_cost(const pdmc_problem *problem, int threads);
 
 /// The same of an explicit study, without placing its nodes.
 PDMC_API pdmc_explicit_cost pdmc_run_explicit_cost(const pdmc_explicit *study, int threads);
+
+/// The same of an explicit study with its samples, where it has random quantities; the steps are those of one.
+PDMC_API pdmc_explicit_cost pdmc_run_ensemble_cost(const pdmc_study *study, int threads);

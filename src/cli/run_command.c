@@ -13,16 +13,23 @@
 #include <sysexits.h>
 #include <unistd.h>
 
+static bool draws_samples(const pdmc_study *study)
+{
+    const bool is_random = study->problem.uncertainty_count > 0;
+    return study->problem.kind == PDMC_STATIC || (study->problem.kind == PDMC_EXPLICIT && is_random);
+}
+
 static pdmc_status read_study(const arguments *given, pdmc_study *study)
 {
     pdmc_status status = pdmc_study_read(given->input, study);
     if (status != PDMC_OK) return status;
-    if (study->problem.kind != PDMC_STATIC && (given->has_seed || given->samples > 0) && !given->quiet)
+    if (!draws_samples(study) && (given->has_seed || given->samples > 0) && !given->quiet)
         fprintf(stderr, "pdmc: warning: %s study draws no samples, their number and seed change nothing\n",
-                study->problem.kind == PDMC_DYNAMIC ? "a dynamic" : "an explicit");
+                study->problem.kind == PDMC_DYNAMIC ? "a dynamic" : "this explicit");
     if (given->has_seed) study->problem.sampling.seed = given->seed;
     if (given->has_seed) status = pdmc_study_resolve(study);
-    if (given->samples > 0 && status == PDMC_OK) status = pdmc_study_set_samples(study, given->samples);
+    if (given->samples > 0 && status == PDMC_OK && draws_samples(study))
+        status = pdmc_study_set_samples(study, given->samples);
     if (status == PDMC_OK && !given->quiet) fputs(study->warnings, stderr);
     return status;
 }
@@ -43,9 +50,15 @@ static void print_results(const pdmc_results *results, const char *path)
 }
 
 // What a run counts.
-static const char *counted(pdmc_problem_kind kind)
+static const char *counted(bool draws)
 {
-    return kind == PDMC_STATIC ? "samples" : "time steps";
+    return draws ? "samples" : "time steps";
+}
+
+// An explicit study with random quantities moves once at its means before it counts samples.
+static bool has_samples(const pdmc_results *results)
+{
+    return results->kind == PDMC_STATIC || results->ensemble.sample_count > 0;
 }
 
 // How many of them there are.
@@ -56,7 +69,7 @@ static int count_done(const pdmc_results *results)
     case PDMC_DYNAMIC: return results->motion.time_count - 1;
     case PDMC_EXPLICIT: break;
     }
-    return (int)results->particles.steps;
+    return has_samples(results) ? results->ensemble.sample_count : (int)results->particles.steps;
 }
 
 static void tell_interruption(const pdmc_results *results, const char *path)
@@ -66,7 +79,7 @@ static void tell_interruption(const pdmc_results *results, const char *path)
                 results->sample_count, path);
     else
         fprintf(stderr, "pdmc: interrupted: the first %d %s are saved in %s\n", count_done(results),
-                counted(results->kind), path);
+                counted(has_samples(results)), path);
 }
 
 static int tell_stop(const pdmc_results *results, const char *path)
@@ -98,7 +111,7 @@ static void warn_of_memory(double bytes)
 
 static double bytes_of(const pdmc_study *study, int threads)
 {
-    if (study->problem.kind == PDMC_EXPLICIT) return pdmc_run_explicit_cost(&study->motion, threads).bytes;
+    if (study->problem.kind == PDMC_EXPLICIT) return pdmc_run_ensemble_cost(study, threads).bytes;
     return pdmc_run_cost(&study->problem, threads).bytes;
 }
 
@@ -109,7 +122,7 @@ static int run_study(const arguments *given, const pdmc_study *study, const char
     const pdmc_run_options options = {
         .threads = given->threads, .progress = progress_show, .round = progress_round, .context = &state};
     if (!given->quiet) warn_of_memory(bytes_of(study, options.threads));
-    progress_start(given->quiet, counted(study->problem.kind), &state);
+    progress_start(given->quiet, counted(draws_samples(study)), &state);
     const pdmc_status status = pdmc_run(study, &options, &results);
     progress_end(&state);
     const int code = status == PDMC_OK ? write_results(given, &results, path) : fail(status);
@@ -159,7 +172,7 @@ static pdmc_status check_plate(const pdmc_study *study, int threads)
 // What the engine would refuse is found by placing the nodes.
 static pdmc_status check_explicit(const pdmc_study *study, int threads)
 {
-    const pdmc_explicit_cost cost = pdmc_run_explicit_cost(&study->motion, threads);
+    const pdmc_explicit_cost cost = pdmc_run_ensemble_cost(study, threads);
     pdmc_particles *particles = NULL;
     const pdmc_status status = pdmc_explicit_particles(&study->motion, threads, &particles);
     if (status != PDMC_OK) return status;
@@ -167,6 +180,7 @@ static pdmc_status check_explicit(const pdmc_study *study, int threads)
            pdmc_particles_count(particles), (double)pdmc_particles_bonds(particles),
            ceil(study->motion.duration / pdmc_particles_step_size(particles) * (1.0 - 1e-9)),
            pdmc_particles_step_size(particles), pdmc_particles_stable_step(particles));
+    if (draws_samples(study)) printf(", %d samples", study->problem.sampling.samples);
     print_cost_and_threads(cost.bytes, cost.seconds, threads);
     pdmc_particles_destroy(particles);
     return PDMC_OK;

@@ -74,6 +74,11 @@
     OF_LIST("spheres/" path, kind, spheres, pdmc_sphere_record, name, unit, text, 1, PDMC_DIM_SPHERE, PDMC_DIM_END)
 #define FRAGMENT(path, kind, name, unit, text, width, ...)                                                             \
     OF_LIST("fragments/" path, kind, fragment_list, pdmc_fragment, name, unit, text, width, PDMC_DIM_FRAGMENT, __VA_ARGS__)
+#define DRAWN(name, unit, text) REALS(EXPLICIT "samples/" #name, ensemble.name, unit, text, PDMC_DIM_DRAW)
+#define OF_TIP(name, unit, text, ...)                                                                                  \
+    REALS(EXPLICIT "samples/" #name, ensemble.name, unit, text, PDMC_DIM_DRAW, PDMC_DIM_DRAWN_TIP, __VA_ARGS__)
+#define SUMMARY(name, unit, text, ...)                                                                                 \
+    ESTIMATES(EXPLICIT "statistics/" #name, ensemble.name, unit, text, PDMC_DIM_DRAWN_TIP, __VA_ARGS__)
 #define SECONDS(name, text) NUMBER("/runtime/" #name, REAL, runtime.name, TIME, "wall time of " text)
 
 // An axis is sized by the first dataset that has it, so each count comes with an array that holds little else.
@@ -197,6 +202,40 @@ const pdmc_dataset pdmc_datasets[] = {
     FRAGMENT("mass", REAL, mass, MASS, "mass", 1, PDMC_DIM_END),
     FRAGMENT("centre", REAL, centre, LENGTH, "centre of mass", 3, PDMC_DIM_AXIS),
     FRAGMENT("velocity", REAL, velocity, VELOCITY, "velocity of the centre of mass", 3, PDMC_DIM_AXIS),
+
+    ARRAY(EXPLICIT "samples/failure", BYTE, uint8_t, ensemble.failure, NONE,
+          "0 where the sample is solved, 1 where a step could not be taken, 3 where a factor is not positive", PDMC_DIM_DRAW),
+    DRAWN(load, NONE, "factor on all conditions"),
+    DRAWN(velocity, NONE, "factor on the velocities at the start"),
+    DRAWN(youngs_modulus, NONE, "factor on Young's modulus everywhere"),
+    DRAWN(fracture_energy, NONE, "factor on the fracture energy everywhere"),
+    DRAWN(fracture, WORK, "energy of the bonds that broke"),
+    ARRAY(EXPLICIT "samples/outcome", BYTE, uint8_t, ensemble.outcome, NONE,
+          "0 the tip never grew, 1 it has stopped, 2 it still grows, 3 it has come through", PDMC_DIM_DRAW,
+          PDMC_DIM_DRAWN_TIP),
+    OF_TIP(growth, LENGTH, "how much farther the tip is at the end than at the start", PDMC_DIM_END),
+    OF_TIP(begin, STUDY_TIME, "first record with growth, NaN without any", PDMC_DIM_END),
+    OF_TIP(mean_speed, VELOCITY, "from then to the first record with all of it, NaN without growth", PDMC_DIM_END),
+    OF_TIP(most_speed, VELOCITY, "largest speed by central differences over the window", PDMC_DIM_END),
+    OF_TIP(end, LENGTH, "where the path ends", PDMC_DIM_COORDINATE),
+    REALS(EXPLICIT "statistics/station", ensemble.station, LENGTH, "distance ahead of the end of the crack",
+          PDMC_DIM_STATION),
+    OF_TIP(path, LENGTH, "how far to the left of the crack's line the damage is, NaN beyond its end", PDMC_DIM_STATION),
+    SUMMARY(share, NONE, "probability of each outcome", PDMC_DIM_OUTCOME),
+    ESTIMATES(EXPLICIT "statistics/mean_growth", ensemble.mean_growth, LENGTH, "mean growth", PDMC_DIM_DRAWN_TIP),
+    ESTIMATES(EXPLICIT "statistics/deviation", ensemble.deviation, LENGTH, "standard deviation of the growth",
+              PDMC_DIM_DRAWN_TIP),
+    SUMMARY(growth_quantiles, LENGTH, "5, 50 and 95 % quantiles of the growth", PDMC_DIM_QUANTILE),
+    REALS(EXPLICIT "statistics/growth_edges", ensemble.growth_edges, LENGTH, "edges of the histogram's bins",
+          PDMC_DIM_DRAWN_TIP, PDMC_DIM_EDGE),
+    ARRAY(EXPLICIT "statistics/growth_counts", INT64, int64_t, ensemble.growth_counts, NONE,
+          "samples below the first edge, in each bin, and above the last edge", PDMC_DIM_DRAWN_TIP,
+          PDMC_DIM_BIN_AND_OUTSIDE),
+    SUMMARY(growth_density, PER_LENGTH, "probability density of the growth in each bin", PDMC_DIM_BIN),
+    REALS(EXPLICIT "statistics/path_samples", ensemble.path_samples, NONE, "samples whose path reaches the station",
+          PDMC_DIM_DRAWN_TIP, PDMC_DIM_STATION),
+    SUMMARY(path_mean, LENGTH, "mean of these paths", PDMC_DIM_STATION),
+    SUMMARY(path_quantiles, LENGTH, "5, 50 and 95 % quantiles of these paths", PDMC_DIM_STATION, PDMC_DIM_QUANTILE),
 
     REALS("/samples/load_factor", load_factor, NONE, "factor on the loads", PDMC_DIM_SAMPLE),
     REALS("/samples/micromodulus", micromodulus, NONE, "c(r) / c_0 in equal bins of [0, horizon]", PDMC_DIM_KEPT,
@@ -349,6 +388,7 @@ const pdmc_attribute pdmc_attributes[] = {
     CHOICE("/plate", bonds, bond_names),
     ATTRIBUTE(EXPLICIT, TEXT, "kernel", particles.kernel),
     ATTRIBUTE(EXPLICIT, TEXT, "stop", particles.stop),
+    ATTRIBUTE(EXPLICIT, INT, "failed_count", ensemble.failed_count),
 };
 const size_t pdmc_attribute_count = COUNT(pdmc_attributes);
 _Static_assert(sizeof(pdmc_run_status) == sizeof(int) && sizeof(pdmc_measure) == sizeof(int) &&
@@ -386,6 +426,10 @@ static const struct {
     [PDMC_DIM_SNAPSHOT] = {"snapshot", MEMBER(particles.snapshot_count), true, 0},
     [PDMC_DIM_STATE] = {"node of a snapshot", MEMBER(particles.state_count), true, 0},
     [PDMC_DIM_FRAGMENT] = {"piece", MEMBER(particles.fragment_count), true, 0},
+    [PDMC_DIM_DRAW] = {"sample", MEMBER(ensemble.sample_count), true, 0},
+    [PDMC_DIM_DRAWN_TIP] = {"tip", MEMBER(ensemble.tip_count), true, 0},
+    [PDMC_DIM_STATION] = {"station", MEMBER(ensemble.station_count), true, 0},
+    [PDMC_DIM_OUTCOME] = {"still, arrested, running, through", 0, false, PDMC_OUTCOMES},
     [PDMC_DIM_AXIS] = {"x, y, z", 0, false, PDMC_AXES},
     [PDMC_DIM_CONTROLLED_TIP] = {"tip with a control", MEMBER(control.tip_count), true, 0},
     [PDMC_DIM_QUANTILE] = {"quantile level", 0, false, PDMC_QUANTILES},

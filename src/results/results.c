@@ -14,6 +14,8 @@ const char *const pdmc_measure_names[PDMC_MEASURES] = {
     [PDMC_MEASURE_GRIFFITH] = "griffith_energy",
 };
 
+const char *const pdmc_outcome_names[PDMC_OUTCOMES] = {"still", "arrested", "running", "through"};
+
 void pdmc_results_clear(pdmc_results *results)
 {
     for (size_t i = 0; i < pdmc_dataset_count; i++) {
@@ -50,6 +52,7 @@ void pdmc_results_unit(const pdmc_results *results, pdmc_unit unit, size_t size,
         [PDMC_UNIT_WORK] = "F L",     [PDMC_UNIT_BYTE] = "byte",   [PDMC_UNIT_VELOCITY] = "L/T",
         [PDMC_UNIT_MASS] = "F T^2/L", [PDMC_UNIT_MOMENTUM] = "F T",
         [PDMC_UNIT_FORCE] = "F",
+        [PDMC_UNIT_PER_LENGTH] = "1/L",
     };
     size_t used = 0;
     for (const char *p = patterns[unit]; *p; p++) {
@@ -105,6 +108,23 @@ static pdmc_status check_failures(const pdmc_results *results, pdmc_status code)
     if (failed != results->failed_count)
         return pdmc_raise(code, "%d samples are marked as failed, but %d are counted", failed, results->failed_count);
     return PDMC_OK;
+}
+
+static pdmc_status check_draws(const pdmc_results *results, pdmc_status code)
+{
+    const pdmc_ensemble_results *e = &results->ensemble;
+    int failed = 0;
+    if (e->tip_count != 0 && e->tip_count != results->particles.tip_count)
+        return pdmc_raise(code, "%d of %d tips have samples", e->tip_count, results->particles.tip_count);
+    for (int i = 0; i < e->sample_count; i++) {
+        if (e->failure[i] > PDMC_SAMPLE_GEOMETRY)
+            return pdmc_raise(code, "sample %d: unknown reason of failure %d", i, e->failure[i]);
+        failed += e->failure[i] != PDMC_SAMPLE_OK;
+    }
+    for (int i = 0; i < e->sample_count * e->tip_count; i++)
+        if (e->outcome[i] >= PDMC_OUTCOMES) return pdmc_raise(code, "tip %d of all: unknown outcome %d", i, e->outcome[i]);
+    if (failed == e->failed_count) return PDMC_OK;
+    return pdmc_raise(code, "%d samples are marked as failed, but %d are counted", failed, e->failed_count);
 }
 
 static pdmc_status check_kept(const pdmc_results *results, pdmc_status code)
@@ -181,7 +201,7 @@ pdmc_status pdmc_results_check(const pdmc_results *results, pdmc_status code)
 {
     pdmc_status (*const checks[])(const pdmc_results *, pdmc_status) = {check_counts,   check_arrays, check_choices,
                                                                         check_failures, check_kept,   check_names, check_faces,
-                                                                        check_particle_names, check_states,   check_control};
+                                                                        check_particle_names, check_draws, check_states,   check_control};
     for (size_t i = 0; i < sizeof checks / sizeof checks[0]; i++) {
         const pdmc_status status = checks[i](results, code);
         if (status != PDMC_OK) return status;

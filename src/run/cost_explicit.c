@@ -8,6 +8,7 @@ static const double seconds_per_bond = 1.8e-9; // and step
 static const double steps_per_record = 3.5; // energies, damage and pieces are asked for: a look at every bond each
 static const double bytes_per_node = 260.0, bytes_per_bond = 0.25; // of the engine
 static const double bytes_of_program = 15e6;
+static const double most_modes = 400.0; // of a fracture energy in space
 
 pdmc_explicit_cost pdmc_run_explicit_cost(const pdmc_explicit *study, int threads)
 {
@@ -23,4 +24,20 @@ pdmc_explicit_cost pdmc_run_explicit_cost(const pdmc_explicit *study, int thread
                  amounts.bonds * bytes_per_bond,
         .seconds = (amounts.steps + steps_per_record * records) * amounts.bonds * seconds_per_bond / fmax(1.0, threads),
     };
+}
+
+pdmc_explicit_cost pdmc_run_ensemble_cost(const pdmc_study *study, int threads)
+{
+    const pdmc_problem *problem = &study->problem;
+    pdmc_explicit_cost cost = pdmc_run_explicit_cost(&study->motion, threads);
+    if (problem->uncertainty_count == 0) return cost;
+    pdmc_explicit one = study->motion;
+    one.snapshots = 1;
+    const double samples = problem->sampling.samples, at_once = samples >= threads ? fmax(1.0, threads) : 1.0;
+    const pdmc_explicit_cost of_sample = pdmc_run_explicit_cost(&one, 1);
+    const pdmc_uncertainty *stiffness = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_STIFFNESS);
+    const double modes = (stiffness ? stiffness->modes : 0) + (pdmc_problem_varies_toughness(problem) ? most_modes : 0.0);
+    cost.seconds += samples * of_sample.seconds / fmax(1.0, threads);
+    cost.bytes += at_once * (of_sample.bytes - bytes_of_program) + 8.0 * modes * cost.nodes;
+    return cost;
 }

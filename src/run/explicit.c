@@ -72,16 +72,18 @@ done:
     return status;
 }
 
-pdmc_status pdmc_run_explicit(const pdmc_explicit *study, const pdmc_run_options *options, pdmc_results *results)
+pdmc_status pdmc_run_explicit(const pdmc_explicit *study, const pdmc_explicit_sample *sample,
+                              const pdmc_run_options *options, pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
     run r = {.options = options,
              .results = results,
-             .recorder = {.study = study, .record = &results->particles},
+             .recorder = {.study = study, .record = &results->particles, .tips_alone = sample != NULL},
              .steps = (int)fmin(1e9, pdmc_explicit_count(study).steps)};
     pdmc_particles *particles = NULL;
     if (!go_on(&r, 0)) PDMC_FAIL(PDMC_ERR_INTERRUPTED, "stopped before the first time step: there is nothing to save");
-    PDMC_TRY(pdmc_explicit_particles(study, options->threads, &particles));
+    PDMC_TRY(sample ? pdmc_explicit_sample_particles(study, sample, options->threads, &particles)
+                    : pdmc_explicit_particles(study, options->threads, &particles));
     r.recorder.particles = particles;
     plan(&r);
     PDMC_TRY(pdmc_recorder_prepare(&r.recorder));

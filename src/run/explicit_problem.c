@@ -113,29 +113,56 @@ static void drop_lists(lists *l)
     pdmc_free(l->spheres);
 }
 
-static pdmc_status fill_lists(const pdmc_explicit *p, lists *l)
+static const pdmc_explicit_sample as_it_is = {
+    .load = 1.0, .velocity = 1.0, .youngs_modulus = 1.0, .fracture_energy = 1.0};
+
+static pdmc_brittle_material material_of(const pdmc_explicit *p, const pdmc_explicit_material *m,
+                                         const pdmc_explicit_sample *sample)
+{
+    pdmc_brittle_material law = pdmc_explicit_law(p, m);
+    law.micromodulus *= sample->youngs_modulus;
+    law.critical_stretch *= sqrt(sample->fracture_energy);
+    if (m->has_fracture_energy) law.critical_stretch /= sqrt(sample->youngs_modulus);
+    law.strengths = sample->bond_strengths;
+    return law;
+}
+
+static pdmc_layer_condition condition_of(const pdmc_explicit_condition *c, const pdmc_explicit_sample *sample)
 {
     static const double start = 0.0, always = 1.0;
+    pdmc_layer_condition layer = c->layer;
+    if (layer.history.count == 0) layer.history = (pdmc_history){1, &start, &always};
+    for (int k = 0; k < PDMC_AXES; k++) {
+        layer.value[k] *= sample->load;
+        for (int j = 0; j < PDMC_AXES; j++) layer.gradient[k][j] *= sample->load;
+    }
+    return layer;
+}
+
+static pdmc_status fill_lists(const pdmc_explicit *p, const pdmc_explicit_sample *sample, lists *l)
+{
     pdmc_status status = PDMC_OK;
     PDMC_NEW(l->materials, p->material_count);
     PDMC_NEW(l->bodies, p->body_count);
     PDMC_NEW(l->conditions, p->condition_count);
     PDMC_NEW(l->spheres, p->sphere_count);
-    for (int i = 0; i < p->material_count; i++) l->materials[i] = pdmc_explicit_law(p, &p->materials[i]);
-    for (int i = 0; i < p->body_count; i++) l->bodies[i] = p->bodies[i].body;
-    for (int i = 0; i < p->condition_count; i++) {
-        l->conditions[i] = p->conditions[i].layer;
-        if (l->conditions[i].history.count == 0) l->conditions[i].history = (pdmc_history){1, &start, &always};
+    for (int i = 0; i < p->material_count; i++) l->materials[i] = material_of(p, &p->materials[i], sample);
+    for (int i = 0; i < p->condition_count; i++) l->conditions[i] = condition_of(&p->conditions[i], sample);
+    for (int i = 0; i < p->body_count; i++) {
+        l->bodies[i] = p->bodies[i].body;
+        for (int k = 0; k < PDMC_AXES; k++) l->bodies[i].velocity[k] *= sample->velocity;
     }
     for (int i = 0; i < p->sphere_count; i++) {
         l->spheres[i] = p->spheres[i].sphere;
+        for (int k = 0; k < PDMC_AXES; k++) l->spheres[i].velocity[k] *= sample->velocity;
         if (!p->spheres[i].has_mass) l->spheres[i].mass = INFINITY;
     }
 done:
     return status;
 }
 
-static pdmc_particles_options options_of(const pdmc_explicit *p, const lists *l, int threads)
+static pdmc_particles_options options_of(const pdmc_explicit *p, const pdmc_explicit_sample *sample, const lists *l,
+                                         int threads)
 {
     return (pdmc_particles_options){
         .dimension = p->dimension,
@@ -156,6 +183,11 @@ static pdmc_particles_options options_of(const pdmc_explicit *p, const lists *l,
         .cracks = p->cracks,
         .conditions = l->conditions,
         .spheres = l->spheres,
+        .factor_count = sample->node_count,
+        .stiffness_factors = sample->stiffness,
+        .strength_factors = sample->strength,
+        .seed = sample->seed,
+        .sample = sample->sample,
         .damping = p->damping,
         .bond_damping = p->bond_damping,
         .step = p->has_step ? p->step : 0.0,
@@ -164,16 +196,22 @@ static pdmc_particles_options options_of(const pdmc_explicit *p, const lists *l,
     };
 }
 
-pdmc_status pdmc_explicit_particles(const pdmc_explicit *problem, int threads, pdmc_particles **particles)
+pdmc_status pdmc_explicit_sample_particles(const pdmc_explicit *problem, const pdmc_explicit_sample *sample,
+                                           int threads, pdmc_particles **particles)
 {
     pdmc_status status = PDMC_OK;
     lists l = {0};
     *particles = NULL;
-    PDMC_TRY(fill_lists(problem, &l));
-    const pdmc_particles_options options = options_of(problem, &l, threads);
+    PDMC_TRY(fill_lists(problem, sample, &l));
+    const pdmc_particles_options options = options_of(problem, sample, &l, threads);
     status = pdmc_particles_create(&options, particles);
     if (status == PDMC_ERR_ARG) status = pdmc_raise(PDMC_ERR_CONFIG, "%s", pdmc_last_error());
 done:
     drop_lists(&l);
     return status;
+}
+
+pdmc_status pdmc_explicit_particles(const pdmc_explicit *problem, int threads, pdmc_particles **particles)
+{
+    return pdmc_explicit_sample_particles(problem, &as_it_is, threads, particles);
 }

@@ -151,7 +151,6 @@ static void record_sums(pdmc_recorder *r, int at)
 {
     pdmc_explicit_record *record = r->record;
     const pdmc_particles_sums sums = pdmc_particles_sum(r->particles);
-    record->time[at] = pdmc_particles_time(r->particles);
     record->kinetic[at] = sums.kinetic;
     record->elastic[at] = sums.elastic;
     record->contact[at] = sums.contact;
@@ -232,8 +231,10 @@ pdmc_status pdmc_recorder_take_record(pdmc_recorder *r)
     const int at = r->record->record_count;
     if (at > 0 && r->record->time[at - 1] == pdmc_particles_time(r->particles)) return PDMC_OK;
     r->record->record_count++;
-    record_sums(r, at);
+    r->record->time[at] = pdmc_particles_time(r->particles);
     record_tips(r, at);
+    if (!r->tips_alone || at == r->records - 1) record_sums(r, at);
+    if (r->tips_alone) return PDMC_OK;
     record_spheres(r, at);
     record_conditions(r, at);
     return record_fragments(r, at);
@@ -262,7 +263,7 @@ pdmc_status pdmc_recorder_take_snapshot(pdmc_recorder *r)
     record->state_count = record->snapshot_count * record->node_count;
     pdmc_particles_state(r->particles, &record->displacement[PDMC_AXES * at], &record->velocity[PDMC_AXES * at],
                          &record->damage[at]);
-    return keep_fragments(r);
+    return r->tips_alone ? PDMC_OK : keep_fragments(r);
 }
 
 bool pdmc_recorder_is_snapshot(const pdmc_recorder *r, int record)

@@ -5,7 +5,7 @@
 #include "pdmc/discretisation.h"
 #include "run/coarser.h"
 #include "run/control.h"
-#include "run/explicit.h"
+#include "run/ensemble.h"
 #include "run/family.h"
 #include "run/motion.h"
 
@@ -16,7 +16,8 @@
 #include <sys/resource.h>
 #include <time.h>
 
-enum { HISTOGRAM_BINS = 60 };
+enum { HISTOGRAM_BINS = 60, BINS_OF_FEW = 10 }; // the latter of explicit studies, whose samples are dear
+
 
 static pdmc_status copy_text(const char *from, char **to)
 {
@@ -58,7 +59,8 @@ static pdmc_status describe_study(const pdmc_study *study, pdmc_results *results
     results->measure = problem->energy.measure;
     results->bonds = problem->energy.bonds;
     results->replicates = problem->sampling.design == PDMC_DESIGN_MONTE_CARLO ? 0 : problem->sampling.replicates;
-    results->histogram_bins = problem->kind == PDMC_STATIC ? HISTOGRAM_BINS : 0;
+    if (problem->kind == PDMC_STATIC) results->histogram_bins = HISTOGRAM_BINS;
+    if (problem->kind == PDMC_EXPLICIT && problem->uncertainty_count > 0) results->histogram_bins = BINS_OF_FEW;
 done:
     return status;
 }
@@ -213,7 +215,7 @@ pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, p
     const double start = pdmc_seconds();
     *results = (pdmc_results){.accuracy = pdmc_no_accuracy};
     PDMC_TRY(describe_study(study, results));
-    if (problem->kind == PDMC_EXPLICIT) PDMC_TRY(pdmc_run_explicit(&study->motion, options, results));
+    if (problem->kind == PDMC_EXPLICIT) PDMC_TRY(pdmc_run_ensemble(study, options, results));
     else PDMC_TRY(run_plate(problem, options, results));
     results->runtime.total = pdmc_seconds() - start;
     results->runtime.output = NAN; // measured where the file is made

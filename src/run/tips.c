@@ -29,12 +29,11 @@ int pdmc_tips_of(const pdmc_explicit *study, pdmc_followed_tip tips[])
 double pdmc_tip_front(const pdmc_explicit *study, const pdmc_followed_tip *tip, int count, const double x[],
                       const double damage[])
 {
-    const double band = 2.0 * study->horizon, *d = tip->direction;
+    const double band = 2.0 * study->horizon;
     double front = -INFINITY;
     for (int i = 0; i < count; i++) {
-        const double r[2] = {x[3 * i] - tip->position[0], x[3 * i + 1] - tip->position[1]};
-        const bool is_near = fabs(r[0] * d[1] - r[1] * d[0]) <= band;
-        if (is_near && damage[i] > study->tip_damage) front = fmax(front, r[0] * d[0] + r[1] * d[1]);
+        const pdmc_ahead place = pdmc_ahead_of(tip, &x[3 * i]);
+        if (fabs(place.left) <= band && damage[i] > study->tip_damage) front = fmax(front, place.ahead);
     }
     return front;
 }

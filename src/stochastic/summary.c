@@ -122,7 +122,13 @@ static void share_directions(const pdmc_sample_counts *counts, const pdmc_result
             share[a] += (double)counts->largest[((size_t)tip * angles + a) * angles + n] / (double)(n + 1);
 }
 
-// The share of the event among the samples that did not fail, with bounds for which a failed sample may have been either.
+pdmc_estimate pdmc_summarise_share(size_t hits, size_t failed, size_t samples, double confidence)
+{
+    return (pdmc_estimate){pdmc_statistics_proportion(hits, samples - failed, confidence).value,
+                           pdmc_statistics_proportion(hits, samples, confidence).lower,
+                           pdmc_statistics_proportion(hits + failed, samples, confidence).upper};
+}
+
 static pdmc_estimate find_probability(const pdmc_results *results, const bool event[])
 {
     const size_t samples = (size_t)results->sample_count, failed = (size_t)results->failed_count;
@@ -131,9 +137,7 @@ static pdmc_estimate find_probability(const pdmc_results *results, const bool ev
     size_t hits = 0;
     if (replicates > 0) return pdmc_statistics_replicates_proportion(samples, event, replicates, confidence);
     for (size_t s = 0; s < samples; s++) hits += event[s];
-    return (pdmc_estimate){pdmc_statistics_proportion(hits, samples - failed, confidence).value,
-                           pdmc_statistics_proportion(hits, samples, confidence).lower,
-                           pdmc_statistics_proportion(hits + failed, samples, confidence).upper};
+    return pdmc_summarise_share(hits, failed, samples, confidence);
 }
 
 // Samples that failed have `otherwise`, or are left out where that is NaN.

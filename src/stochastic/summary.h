@@ -5,6 +5,10 @@
 
 #include "pdmc/stochastic.h"
 
+/// The share of an event among independent samples that did not fail, with bounds for which a failed one may have been either.
+/// @param[in] hits  of the samples that did not fail
+pdmc_estimate pdmc_summarise_share(size_t hits, size_t failed, size_t samples, double confidence);
+
 /// P(G > G_c) of a tip, as results->probability will have it.
 PDMC_NODISCARD pdmc_status pdmc_summarise_probability(const pdmc_results *results, int tip, pdmc_estimate *probability);
 

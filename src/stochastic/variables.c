@@ -18,6 +18,8 @@ static const pdmc_stream streams[PDMC_QUANTITIES] = {
     [PDMC_QUANTITY_YOUNGS_MODULUS] = PDMC_STREAM_YOUNGS_MODULUS,
     [PDMC_QUANTITY_FRACTURE_ENERGY] = PDMC_STREAM_FRACTURE_ENERGY,
     [PDMC_QUANTITY_THICKNESS] = PDMC_STREAM_THICKNESS,
+    [PDMC_QUANTITY_VELOCITY] = PDMC_STREAM_VELOCITY,
+    [PDMC_QUANTITY_BOND_STRENGTH] = PDMC_STREAM_BONDS,
     [PDMC_QUANTITY_LOAD_LEFT] = PDMC_STREAM_LOAD_SIDE + PDMC_SIDE_LEFT,
     [PDMC_QUANTITY_LOAD_RIGHT] = PDMC_STREAM_LOAD_SIDE + PDMC_SIDE_RIGHT,
     [PDMC_QUANTITY_LOAD_BOTTOM] = PDMC_STREAM_LOAD_SIDE + PDMC_SIDE_BOTTOM,
@@ -31,6 +33,11 @@ static const pdmc_stream streams[PDMC_QUANTITIES] = {
     [PDMC_QUANTITY_CRACK_X] = PDMC_STREAM_CRACK_X,
     [PDMC_QUANTITY_CRACK_Y] = PDMC_STREAM_CRACK_Y,
 };
+
+pdmc_stream pdmc_quantity_stream(pdmc_quantity quantity)
+{
+    return streams[quantity];
+}
 
 static int count_of(const pdmc_affine *model, const pdmc_uncertainty *uncertainty)
 {

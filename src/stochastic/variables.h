@@ -14,6 +14,9 @@ typedef struct {
     int first, count;   // of its variables
 } pdmc_variable_group;
 
+/// The stream of a quantity in plain Monte Carlo.
+pdmc_stream pdmc_quantity_stream(pdmc_quantity quantity);
+
 typedef struct {
     const pdmc_problem *problem;
     const pdmc_affine *model;

@@ -180,12 +180,28 @@ static pdmc_status check_scalar(const pdmc_study_reader *reader, int index)
     return check_covariance(reader, index);
 }
 
+// What can be random depends on what a study computes.
+static pdmc_status check_kind(const pdmc_study_reader *reader, int index)
+{
+    const pdmc_quantity quantity = reader->problem->uncertainties[index].quantity;
+    const bool is_explicit = reader->problem->kind == PDMC_EXPLICIT;
+    const bool is_of_bonds = quantity == PDMC_QUANTITY_VELOCITY || quantity == PDMC_QUANTITY_BOND_STRENGTH;
+    const bool is_of_both = quantity == PDMC_QUANTITY_STIFFNESS || quantity == PDMC_QUANTITY_LOAD ||
+                            quantity == PDMC_QUANTITY_YOUNGS_MODULUS || quantity == PDMC_QUANTITY_FRACTURE_ENERGY;
+    if (is_explicit ? is_of_bonds || is_of_both : !is_of_bonds) return PDMC_OK;
+    return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "quantity"},
+                             is_explicit ? "is not known of an explicit study, must be \"stiffness\", \"youngs_modulus\", "
+                                           "\"fracture_energy\", \"bond_strength\", \"load\" or \"velocity\""
+                                         : "is of explicit studies alone");
+}
+
 pdmc_status pdmc_study_check_random(const pdmc_study_reader *reader)
 {
     pdmc_status status = PDMC_OK;
     const pdmc_problem *p = reader->problem;
     for (int i = 0; i < p->uncertainty_count; i++) {
         const bool is_scalar = p->uncertainties[i].quantity >= PDMC_FIRST_SCALAR;
+        PDMC_TRY(check_kind(reader, i));
         for (int j = 0; j < i; j++)
             if (p->uncertainties[j].quantity == p->uncertainties[i].quantity)
                 return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, i, "quantity"},
@@ -198,6 +214,14 @@ done:
     return status;
 }
 
+// Of an explicit study, which draws such quantities for every node or bond.
+static bool differs_in_space(const pdmc_problem *p, pdmc_quantity quantity)
+{
+    if (p->kind != PDMC_EXPLICIT) return false;
+    return quantity == PDMC_QUANTITY_BOND_STRENGTH ||
+           (quantity == PDMC_QUANTITY_FRACTURE_ENERGY && pdmc_problem_varies_toughness(p));
+}
+
 static pdmc_status check_pair(const pdmc_study_reader *reader, int index)
 {
     const pdmc_correlation *pair = &reader->problem->correlations[index];
@@ -207,6 +231,10 @@ static pdmc_status check_pair(const pdmc_study_reader *reader, int index)
         if (both[k] < PDMC_FIRST_SCALAR || !pdmc_problem_uncertainty(reader->problem, both[k]))
             return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_CORRELATIONS, index, k ? "second" : "first"},
                                      "is no quantity of random with a distribution of its own, must be one");
+    for (int k = 0; k < 2; k++)
+        if (differs_in_space(reader->problem, both[k]))
+            return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_CORRELATIONS, index, k ? "second" : "first"},
+                                     "differs from place to place, must have one value a sample in an explicit study");
     if (pair->first == pair->second) return pdmc_study_refuse(reader, at, "must be another quantity than first");
     for (int j = 0; j < index; j++) {
         const pdmc_correlation *other = &reader->problem->correlations[j];
@@ -275,10 +303,18 @@ static pdmc_status check_target(const pdmc_study_reader *reader)
     return PDMC_OK;
 }
 
+// Without anything random there is one sample.
+static pdmc_status check_explicit_samples(const pdmc_study_reader *reader)
+{
+    if (reader->problem->uncertainty_count == 0) reader->problem->sampling.samples = 1;
+    return PDMC_OK;
+}
+
 pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader)
 {
     const pdmc_problem *p = reader->problem;
     const int samples = p->sampling.samples, replicates = p->sampling.replicates;
+    if (p->kind == PDMC_EXPLICIT) return check_explicit_samples(reader);
     if (p->sampling.design != PDMC_DESIGN_MONTE_CARLO && samples % replicates != 0)
         return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_SAMPLING, -1, "samples"},
                                  "%d is not allowed, must be a multiple of the %d replicates of the design, such as %d",

@@ -79,9 +79,17 @@ static pdmc_status refuse_of_other(const pdmc_study_record *r, const pdmc_study_
     return pdmc_study_refuse(r->reader, pdmc_study_address_of(r, s), "is no setting of the %s \"%s\"", of, name);
 }
 
+static pdmc_status refuse_of_kind_of_study(const pdmc_study_record *r, const pdmc_study_setting *s)
+{
+    const pdmc_study_setting *kind = pdmc_study_find_setting(SECTION_TOP, "kind");
+    return pdmc_study_refuse(r->reader, pdmc_study_address_of(r, s), "is no setting of a study of kind \"%s\"",
+                             kind->choices[r->reader->problem->kind]);
+}
+
 static pdmc_status read_setting(const pdmc_study_record *r, const pdmc_study_setting *s)
 {
     const config_setting_t *value = r->group ? config_setting_get_member(r->group, s->key) : NULL;
+    if (!pdmc_study_setting_of_kind(s, r->reader->problem->kind)) return value ? refuse_of_kind_of_study(r, s) : PDMC_OK;
     if (!pdmc_study_setting_belongs(s, r->base)) return value ? refuse_of_other(r, s) : PDMC_OK;
     if (!value && !s->fallback) return pdmc_study_refuse_missing(r, s);
     return pdmc_study_read_value(r, s, value);

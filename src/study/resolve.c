@@ -126,9 +126,9 @@ static write_function *const writers[KINDS] = {
     [KIND_VECTOR] = write_vector, [KIND_MATERIAL] = write_material,
 };
 
-static bool is_present(const pdmc_study_setting *s, const char *base)
+static bool is_present(const writer *w, const pdmc_study_setting *s, const char *base)
 {
-    if (!pdmc_study_setting_belongs(s, base)) return false;
+    if (!pdmc_study_setting_of_kind(s, w->problem->kind) || !pdmc_study_setting_belongs(s, base)) return false;
     if (s->kind == KIND_REALS) return *(const int *)(base + s->flag) > 0;
     return s->kind != KIND_OPTIONAL || *(const bool *)(base + s->flag);
 }
@@ -136,7 +136,7 @@ static bool is_present(const pdmc_study_setting *s, const char *base)
 static void write_record(const writer *w, pdmc_study_section_id section, const char *base, const char *indent)
 {
     for (const pdmc_study_setting *s = pdmc_study_settings; s->key; s++) {
-        if (s->section != section || !is_present(s, base)) continue;
+        if (s->section != section || !is_present(w, s, base)) continue;
         fprintf(w->out, "%s%s = ", indent, s->key);
         writers[s->kind](w, s, s->offset == NOT_STORED ? NULL : base + s->offset);
         fputc(';', w->out);

@@ -22,6 +22,7 @@
     .size = sizeof(type), .items = offsetof(pdmc_problem, field), .count = offsetof(pdmc_problem, length)
 #define PARTICLE_LIST(type, field, length)                                                                             \
     .size = sizeof(type), .items = offsetof(pdmc_explicit, field), .count = offsetof(pdmc_explicit, length)
+#define OF_SAMPLES .kinds = ONLY(PDMC_STATIC) | ONLY(PDMC_EXPLICIT)
 #define OF_PLATES .kinds = ONLY(PDMC_STATIC) | ONLY(PDMC_DYNAMIC)
 #define WHERE(key, bits) .of = (key), .values = (bits)
 #define PLANE ONLY(2)
@@ -98,12 +99,12 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
                         OF(PDMC_DYNAMIC), LIST(pdmc_probe, probes, probe_count), .check = pdmc_study_check_probes},
     [SECTION_RANDOM] = {.name = "random", .doc = "list of uncertain quantities; without it the study is deterministic",
                         LIST(pdmc_uncertainty, uncertainties, uncertainty_count), .check = pdmc_study_check_random,
-                        OF(PDMC_STATIC), .instead = "a dynamic study is deterministic for now"},
-    [SECTION_CORRELATIONS] = {.name = "correlations", OF(PDMC_STATIC),
+                        OF_SAMPLES, .instead = "a dynamic study is deterministic for now"},
+    [SECTION_CORRELATIONS] = {.name = "correlations", OF_SAMPLES,
                               .doc = "list of pairs of scalar quantities that depend on each other, by a Gaussian copula",
                               LIST(pdmc_correlation, correlations, correlation_count),
                               .check = pdmc_study_check_correlations},
-    [SECTION_SAMPLING] = {.name = "sampling", .doc = "the Monte Carlo simulation", OF(PDMC_STATIC),
+    [SECTION_SAMPLING] = {.name = "sampling", .doc = "the Monte Carlo simulation", OF_SAMPLES,
                           .check = pdmc_study_check_sampling},
     [SECTION_RELIABILITY] = {.name = "reliability", OF(PDMC_STATIC), .check = pdmc_study_check_reliability,
                              .doc = "the probability that any tip grows, where it is rare, and what it comes from"},
@@ -151,8 +152,8 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define FACES CHOICES("none", "left", "right")
 #define QUANTITIES                                                                                                     \
     CHOICES("micromodulus", "stiffness", "load_noise_left", "load_noise_right", "load_noise_bottom", "load_noise_top",     \
-            "load", "youngs_modulus", "fracture_energy", "thickness", "load_left", "load_right", "load_bottom",            \
-            "load_top", "load_direction_left", "load_direction_right", "load_direction_bottom", "load_direction_top",      \
+            "load", "youngs_modulus", "fracture_energy", "thickness", "velocity", "bond_strength", "load_left",             \
+            "load_right", "load_bottom", "load_top", "load_direction_left", "load_direction_right", "load_direction_bottom", "load_direction_top",      \
             "crack_length", "crack_angle", "crack_x", "crack_y")
 #define RADIAL_MODELS CHOICES("radial_noise", "radial_process")
 #define COVARIANCES CHOICES("exponential", "gaussian", "matern")
@@ -291,7 +292,9 @@ const pdmc_study_setting pdmc_study_settings[] = {
             "load_direction_top turns that by degrees, counter-clockwise, load_noise_top is a normal process along the side by "
             "which it varies; stiffness is a field in space, and with a correlation_length so is the fracture_energy, of which every tip sees its own "
             "value; a crack is as long as crack_length, turned about its middle by crack_angle in degrees, and shifted by crack_x "
-            "and crack_y: every sample is then discretised anew"},
+            "and crack_y: every sample is then discretised anew; in an explicit study there are stiffness, fracture_energy "
+            "(with a correlation_length a field of x and y), youngs_modulus, load (on all conditions), velocity (of bodies and spheres at the "
+            "start) and bond_strength (of every bond by itself), all of them factors of mean 1"},
     {SECTION_RANDOM, "crack", KIND_CRACK, .offset = offsetof(pdmc_uncertainty, crack), .quantities = OF_CRACK,
      .fallback = "the first crack", .doc = "that a length, an angle or a shift is of"},
     {SECTION_RANDOM, "model", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, model), .choices = RADIAL_MODELS,
@@ -348,30 +351,30 @@ const pdmc_study_setting pdmc_study_settings[] = {
 
     {SECTION_SAMPLING, "samples", KIND_INT, .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.samples),
      .fallback = "1000", .doc = "a smaller number is a prefix of a larger one, but for a Latin hypercube; the least, with a target"},
-    {SECTION_SAMPLING, "target", KIND_CHOICE, .offset = IN_PROBLEM(sampling.target), .choices = TARGETS, .fallback = "none",
+    {SECTION_SAMPLING, "target", KIND_CHOICE, OF(PDMC_STATIC), .offset = IN_PROBLEM(sampling.target), .choices = TARGETS, .fallback = "none",
      .doc = "what sampling goes on for until it is known at every tip: the mean or the 95 % quantile of the energy where the "
             "mean plate has its largest, or P(G > G_c)"},
-    {SECTION_SAMPLING, "relative_error", KIND_REAL, .range = ABOVE_TO(0.0, 1.0), .offset = IN_PROBLEM(sampling.relative_error),
+    {SECTION_SAMPLING, "relative_error", KIND_REAL, OF(PDMC_STATIC), .range = ABOVE_TO(0.0, 1.0), .offset = IN_PROBLEM(sampling.relative_error),
      .fallback = "0.05", WHERE("target", ~ONLY(PDMC_TARGET_NONE)), .doc = "of the target: half the width of its interval over its value"},
-    {SECTION_SAMPLING, "most_samples", KIND_INT, .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.most_samples),
+    {SECTION_SAMPLING, "most_samples", KIND_INT, OF(PDMC_STATIC), .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.most_samples),
      .fallback = "1000000", WHERE("target", ~ONLY(PDMC_TARGET_NONE)), .doc = "at which sampling stops without it"},
-    {SECTION_SAMPLING, "keep", KIND_INT, .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.keep),
+    {SECTION_SAMPLING, "keep", KIND_INT, OF(PDMC_STATIC), .range = FROM_TO(1, 100000000), .offset = IN_PROBLEM(sampling.keep),
      .fallback = "20000",
      .doc = "independent samples of which the file has c(r) and the energies at every angle; the statistics are of all"},
-    {SECTION_SAMPLING, "design", KIND_CHOICE, .offset = IN_PROBLEM(sampling.design), .choices = DESIGNS,
+    {SECTION_SAMPLING, "design", KIND_CHOICE, OF(PDMC_STATIC), .offset = IN_PROBLEM(sampling.design), .choices = DESIGNS,
      .fallback = "monte_carlo",
      .doc = "independent samples, or replicates of a Latin hypercube or of a scrambled Sobol' sequence, which need fewer"},
-    {SECTION_SAMPLING, "replicates", KIND_INT, .range = FROM_TO(3, 1024), .offset = IN_PROBLEM(sampling.replicates),
+    {SECTION_SAMPLING, "replicates", KIND_INT, OF(PDMC_STATIC), .range = FROM_TO(3, 1024), .offset = IN_PROBLEM(sampling.replicates),
      .fallback = "16", WHERE("design", ~ONLY(PDMC_DESIGN_MONTE_CARLO)), .doc = "independent parts of a design, whose spread gives the intervals"},
-    {SECTION_SAMPLING, "inverse", KIND_CHOICE, .offset = IN_PROBLEM(sampling.inverse), .choices = INVERSES,
+    {SECTION_SAMPLING, "inverse", KIND_CHOICE, OF(PDMC_STATIC), .offset = IN_PROBLEM(sampling.inverse), .choices = INVERSES,
      .fallback = "neumann",
      .doc = "how each sample is solved: by its own factorisation; round that of the mean by the Neumann expansion or by "
             "conjugate gradients; or by a reduced model with a bound of its error"},
-    {SECTION_SAMPLING, "order", KIND_INT, .range = FROM_TO(0, 8), .offset = IN_PROBLEM(sampling.order), .fallback = "4",
+    {SECTION_SAMPLING, "order", KIND_INT, OF(PDMC_STATIC), .range = FROM_TO(0, 8), .offset = IN_PROBLEM(sampling.order), .fallback = "4",
      .doc = "of the Neumann expansion"},
-    {SECTION_SAMPLING, "tolerance", KIND_REAL, .range = ABOVE_TO(0.0, 0.1), .offset = IN_PROBLEM(sampling.tolerance),
+    {SECTION_SAMPLING, "tolerance", KIND_REAL, OF(PDMC_STATIC), .range = ABOVE_TO(0.0, 0.1), .offset = IN_PROBLEM(sampling.tolerance),
      .fallback = "1e-8", .doc = "of the relative residual of inverse = \"krylov\""},
-    {SECTION_SAMPLING, "energy_tolerance", KIND_REAL, .range = ABOVE_TO(0.0, 0.1),
+    {SECTION_SAMPLING, "energy_tolerance", KIND_REAL, OF(PDMC_STATIC), .range = ABOVE_TO(0.0, 0.1),
      .offset = IN_PROBLEM(sampling.energy_tolerance), .fallback = "1e-3",
      .doc = "of the relative error of a sample's largest energy, of inverse = \"reduced\""},
 
@@ -537,7 +540,8 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .fallback = "0.3", .doc = "damage of a node that a crack has reached"},
     {SECTION_RECORD, "speed_window", KIND_OPTIONAL, UNIT_TIME, POSITIVE, IN_MOTION(speed_window),
      .flag = IN_MOTION(has_speed_window), .fallback = "10 intervals",
-     .doc = "of time, over which the speed of a tip is taken by central differences"},
+     .doc = "of time, over which the speed of a tip is taken by central differences, and in which a tip that has been arrested does "
+            "not move"},
     {.key = NULL},
 };
 
@@ -586,6 +590,11 @@ bool pdmc_study_setting_belongs(const pdmc_study_setting *setting, const void *b
     if (setting->quantities == 0) return true;
     const pdmc_uncertainty *uncertainty = base;
     return setting->quantities & ONLY(uncertainty->quantity);
+}
+
+bool pdmc_study_setting_of_kind(const pdmc_study_setting *setting, pdmc_problem_kind kind)
+{
+    return setting->kinds == 0 || setting->kinds & ONLY(kind);
 }
 
 void *pdmc_study_home(const pdmc_study_section *section, const pdmc_problem *problem, const pdmc_explicit *motion)

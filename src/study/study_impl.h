@@ -142,6 +142,7 @@ typedef struct {
     unsigned solvers;           // the solvers the key belongs to, as bits; 0 for all
     const char *of;             // a choice or an integer of the same group that the key depends on; NULL for none
     unsigned values;            // ... its values where the key belongs, as bits
+    unsigned kinds;             // the kinds of study the key belongs to, as bits; 0 for those of its section
     const char *fallback;       // as it would be written in the file; NULL where the setting is required
     double (*derive)(const pdmc_problem *problem); // the default that depends on other settings; fallback describes it
     const char *doc;
@@ -167,6 +168,8 @@ extern const pdmc_study_setting pdmc_study_settings[]; // by section, in the ord
 /// Whether the key belongs to the record at `base`: the quantities of an uncertainty have different keys, and so have
 /// the solvers.
 bool pdmc_study_setting_belongs(const pdmc_study_setting *setting, const void *base);
+/// Whether a study of this kind has the key where it has the section.
+bool pdmc_study_setting_of_kind(const pdmc_study_setting *setting, pdmc_problem_kind kind);
 pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem);
 /// The setting of that name, or NULL.
 const pdmc_study_setting *pdmc_study_find_setting(pdmc_study_section_id section, const char *key);

@@ -21,3 +21,7 @@ void pdmc_csv_numbers(FILE *stream, int count, const double x[]);
 pdmc_status pdmc_csv_records(const pdmc_results *results, FILE *stream);
 pdmc_status pdmc_csv_nodes(const pdmc_results *results, FILE *stream);
 pdmc_status pdmc_csv_fragments(const pdmc_results *results, FILE *stream);
+
+/// ... of its samples: a row a sample and tip, and a row a tip and station of the paths.
+pdmc_status pdmc_csv_draws(const pdmc_results *results, FILE *stream);
+pdmc_status pdmc_csv_paths(const pdmc_results *results, FILE *stream);

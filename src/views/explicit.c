@@ -18,22 +18,6 @@ const double *pdmc_of_condition(const pdmc_explicit_record *record, const double
     return &values[3 * ((size_t)at * (size_t)record->condition_count + (size_t)condition)];
 }
 
-pdmc_tip_growth pdmc_growth_of(const pdmc_explicit_record *r, int tip)
-{
-    pdmc_tip_growth g = {.begin = NAN, .end = NAN, .mean_speed = NAN, .most_speed = NAN};
-    if (r->record_count == 0) return g;
-    g.growth = pdmc_of_tip(r, r->tip_advance, r->record_count - 1, tip);
-    double first = 0.0;
-    for (int i = r->record_count - 1; i >= 0; i--) { // backwards, so that the first that fits is kept
-        const double advance = pdmc_of_tip(r, r->tip_advance, i, tip);
-        if (advance > 0.0) g.begin = r->time[i], first = advance;
-        if (advance >= g.growth && g.growth > 0.0) g.end = r->time[i];
-        g.most_speed = fmax(g.most_speed, pdmc_of_tip(r, r->tip_speed, i, tip));
-    }
-    if (g.end > g.begin) g.mean_speed = (g.growth - first) / (g.end - g.begin);
-    return g;
-}
-
 double pdmc_explicit_balance_error(const pdmc_explicit_record *r)
 {
     double error = 0.0, largest = 0.0;

@@ -5,15 +5,6 @@
 
 #include "views/views_impl.h"
 
-/// How a tip has grown. Times are those of records.
-typedef struct {
-    double growth;                 // at the end
-    double begin, end;             // the first record with any growth, and the first with all of it; NaN without growth
-    double mean_speed, most_speed; // the former from begin to end: a tip moves by whole spacings; NaN without growth
-} pdmc_tip_growth;
-
-pdmc_tip_growth pdmc_growth_of(const pdmc_explicit_record *record, int tip);
-
 /// A tip's advance or speed, a sphere's centre or velocity, a condition's force or displacement, in an array [N, count] or
 /// [N, count, 3].
 double pdmc_of_tip(const pdmc_explicit_record *record, const double values[], int at, int tip);

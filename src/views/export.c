@@ -268,6 +268,18 @@ static pdmc_status write_fragments(const pdmc_results *r, const csv_units *units
     return pdmc_csv_fragments(r, stream);
 }
 
+static pdmc_status write_draws(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    (void)units;
+    return pdmc_csv_draws(r, stream);
+}
+
+static pdmc_status write_paths(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    (void)units;
+    return pdmc_csv_paths(r, stream);
+}
+
 /// Writes through a stream of its own, since the descriptor belongs to the file.
 static pdmc_status write_stream(pdmc_whole_file *file, const pdmc_results *r, const csv_units *units, csv_writer *write)
 {
@@ -325,11 +337,15 @@ static const csv_file files[] = {
     {"records.csv", write_records, PDMC_EXPLICIT},
     {"nodes.csv", write_nodes, PDMC_EXPLICIT},
     {"fragments.csv", write_fragments, PDMC_EXPLICIT},
+    {"samples.csv", write_draws, PDMC_EXPLICIT},
+    {"paths.csv", write_paths, PDMC_EXPLICIT},
 };
 
 static bool is_wanted(const pdmc_results *r, const csv_file *file)
 {
+    const bool is_of_draws = file->write == write_draws || file->write == write_paths;
     if (file->write == write_energy_samples && !energies_are_few(r)) return false;
+    if (is_of_draws && r->ensemble.sample_count == 0) return false;
     return file->kind == r->kind;
 }
 

@@ -239,6 +239,7 @@ static json_t *everything(const pdmc_results *r)
     pdmc_json_put(&object, "units", pdmc_json_units(r));
     if (r->kind == PDMC_EXPLICIT) pdmc_json_put(&object, "explicit", pdmc_json_explicit(&r->particles));
     else put_plate(r, &object);
+    if (r->ensemble.sample_count > 0) pdmc_json_put(&object, "ensemble", pdmc_json_ensemble(r));
     pdmc_json_put(&object, "runtime", pdmc_json_runtime(&r->runtime));
     return object;
 }

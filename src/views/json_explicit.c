@@ -32,7 +32,7 @@ static json_t *records(const pdmc_explicit_record *p)
 
 static json_t *tip(const pdmc_explicit_record *p, int t)
 {
-    const pdmc_tip_growth g = pdmc_growth_of(p, t);
+    const pdmc_tip_growth g = pdmc_results_growth(p, t);
     json_t *object = json_object(), *advance = json_array(), *speed = json_array();
     pdmc_json_put(&object, "name", pdmc_json_text(p->tips[t].name));
     pdmc_json_put(&object, "position", pdmc_json_numbers(2, p->tips[t].position));

@@ -33,6 +33,9 @@ json_t *pdmc_json_reliability(const pdmc_reliability_results *reliability);
 /// What an explicit study has recorded.
 json_t *pdmc_json_explicit(const pdmc_explicit_record *record);
 
+/// ... and what its samples say.
+json_t *pdmc_json_ensemble(const pdmc_results *r);
+
 /// Seconds, threads and memory.
 json_t *pdmc_json_runtime(const pdmc_runtime *t);
 

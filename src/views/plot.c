@@ -15,7 +15,9 @@ typedef enum {
     OF_EXPLICIT_TIPS,
     OF_EXPLICIT_DAMAGE,
     OF_EXPLICIT_FRAGMENTS,
-    OF_EXPLICIT_MASSES
+    OF_EXPLICIT_MASSES,
+    OF_GROWTH,
+    OF_PATHS
 } subject;
 
 static pdmc_status draw(const pdmc_results *r, subject of, int tip, pdmc_measure measure, pdmc_figure *figure)
@@ -32,6 +34,8 @@ static pdmc_status draw(const pdmc_results *r, subject of, int tip, pdmc_measure
     case OF_EXPLICIT_TIPS: pdmc_draw_explicit_tips(r, figure); break;
     case OF_EXPLICIT_DAMAGE: return pdmc_draw_explicit_damage(r, figure);
     case OF_EXPLICIT_FRAGMENTS: return pdmc_draw_explicit_fragments(r, figure);
+    case OF_GROWTH: pdmc_draw_growth(r, tip, figure); break;
+    case OF_PATHS: pdmc_draw_paths(r, figure); break;
     case OF_EXPLICIT_MASSES: pdmc_draw_explicit_masses(r, figure); break;
     }
     return PDMC_OK;
@@ -102,6 +106,18 @@ done:
     return status;
 }
 
+static pdmc_status plot_ensemble(const pdmc_results *r, const char *folder)
+{
+    pdmc_status status = PDMC_OK;
+    char stem[PDMC_LONG_NAME_SIZE + 8];
+    for (int t = 0; t < r->ensemble.tip_count && status == PDMC_OK; t++) {
+        snprintf(stem, sizeof stem, "growth_%s", r->particles.tips[t].name);
+        status = plot(r, folder, stem, OF_GROWTH, t, r->measure);
+    }
+    if (r->ensemble.tip_count > 0 && status == PDMC_OK) status = plot(r, folder, "paths", OF_PATHS, 0, r->measure);
+    return status;
+}
+
 static pdmc_status plot_explicit(const pdmc_results *r, const char *folder)
 {
     pdmc_status status = PDMC_OK;
@@ -113,6 +129,7 @@ static pdmc_status plot_explicit(const pdmc_results *r, const char *folder)
         PDMC_TRY(plot(r, folder, "fragments", OF_EXPLICIT_FRAGMENTS, 0, r->measure));
         PDMC_TRY(plot(r, folder, "fragment_masses", OF_EXPLICIT_MASSES, 0, r->measure));
     }
+    PDMC_TRY(plot_ensemble(r, folder));
 
 done:
     return status;

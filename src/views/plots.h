@@ -39,6 +39,10 @@ pdmc_status pdmc_draw_explicit_damage(const pdmc_results *r, pdmc_figure *figure
 /// The pieces in the same way: the largest grey, single nodes black, all others in colours that repeat.
 pdmc_status pdmc_draw_explicit_fragments(const pdmc_results *r, pdmc_figure *figure);
 
+/// Of its samples: the density of the growth of a tip, and the paths of all tips.
+void pdmc_draw_growth(const pdmc_results *r, int tip, const pdmc_figure *figure);
+void pdmc_draw_paths(const pdmc_results *r, const pdmc_figure *figure);
+
 /// How many pieces are at least as heavy as any mass.
 void pdmc_draw_explicit_masses(const pdmc_results *r, const pdmc_figure *figure);
 

@@ -246,6 +246,7 @@ static void print_plate(const pdmc_results *r, FILE *stream)
 static void print_explicit(const pdmc_results *r, FILE *stream)
 {
     pdmc_table_explicit(r, stream);
+    pdmc_table_ensemble(r, stream);
     print_memory(r->runtime.peak_memory, stream);
 }
 

@@ -25,3 +25,6 @@ void pdmc_table_motion(const pdmc_results *r, FILE *stream);
 
 /// What an explicit study has: its grid, energies at the end, tips, spheres.
 void pdmc_table_explicit(const pdmc_results *r, FILE *stream);
+
+/// What its samples say; nothing where there are none.
+void pdmc_table_ensemble(const pdmc_results *r, FILE *stream);

@@ -53,7 +53,7 @@ static void print_tips(const pdmc_results *r, FILE *stream)
     fprintf(stream, "  %-20s %10s %10s %10s %10s %10s %11s %10s\n", "", "x", "y", "growth", "begins", "ends",
             "mean speed", "most");
     for (int t = 0; t < p->tip_count; t++) {
-        const pdmc_tip_growth g = pdmc_growth_of(p, t);
+        const pdmc_tip_growth g = pdmc_results_growth(p, t);
         fprintf(stream, "  %-20.20s %10s %10s %10s %10s %10s %11s %10s\n", pdmc_one_line(length, p->tips[t].name),
                 pdmc_brief(n[0], p->tips[t].position[0]), pdmc_brief(n[1], p->tips[t].position[1]),
                 pdmc_brief(n[2], g.growth), pdmc_brief(n[3], g.begin), pdmc_brief(n[4], g.end),

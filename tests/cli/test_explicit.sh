@@ -47,7 +47,7 @@ records.csv" ] || fail "files: $(ls csv)"
 [ "$(wc -l <csv/nodes.csv)" -eq 73 ] || fail 'nodes'
 expect 65 '"$pdmc" compare impact.h5 impact.h5' 'pdmc: impact.h5 is of an explicit study, which is not compared yet'
 run '"$pdmc" -f -s 3 impact.cfg'
-expect_line err 'pdmc: warning: an explicit study draws no samples, their number and seed change nothing'
+expect_line err 'pdmc: warning: this explicit study draws no samples, their number and seed change nothing'
 
 # A node that leaves its family in one step: what was before is kept, and the exit code tells.
 sed '/^spheres/c conditions = ( { from = [0, 0]; to = [12, 1]; y = 1e9; times = [9, 12]; factors = [0, 1]; } );' \

@@ -276,7 +276,11 @@ static void conditions_and_times_that_cannot_be(void **state)
         {REST, "record = { tip_damage = 1; };",
          "study.cfg:9: record.tip_damage: 1 is not allowed, must be > 0 and < 1"},
         {REST, "plate = { width = 1; };", "study.cfg:9: plate: is not part of a study of kind \"explicit\""},
-        {REST, "sampling = { samples = 3; };", "study.cfg:9: sampling: is not part of a study of kind \"explicit\""},
+        {REST, "reliability = { };", "study.cfg:9: reliability: is not part of a study of kind \"explicit\""},
+        {REST, "sampling = { order = 3; };", "study.cfg:9: sampling.order: is no setting of a study of kind \"explicit\""},
+        {REST, "random = ( { quantity = \"thickness\"; } );",
+         "study.cfg:9: random[0].quantity: is not known of an explicit study, must be \"stiffness\", \"youngs_modulus\", "
+         "\"fracture_energy\", \"bond_strength\", \"load\" or \"velocity\""},
     };
     for (size_t i = 0; i < sizeof layers / sizeof layers[0]; i++) {
         char settings[512];

@@ -8,7 +8,7 @@
     "\"" quantity "_left\", \"" quantity "_right\", \"" quantity "_bottom\", \"" quantity "_top\", "
 #define QUANTITIES                                                                                                     \
     "\"micromodulus\", \"stiffness\", " SIDES("load_noise") "\"load\", \"youngs_modulus\", \"fracture_energy\", "         \
-    "\"thickness\", " SIDES("load") SIDES("load_direction") "\"crack_length\", \"crack_angle\", \"crack_x\" or "            \
+    "\"thickness\", \"velocity\", \"bond_strength\", " SIDES("load") SIDES("load_direction") "\"crack_length\", \"crack_angle\", \"crack_x\" or "            \
     "\"crack_y\""
 
 typedef struct {

@@ -32,7 +32,7 @@ static void growth_is_read_off_the_records(void **state)
 {
     (void)state;
     pdmc_results r = made_up_explicit(2);
-    const pdmc_tip_growth none = pdmc_growth_of(&r.particles, 0), some = pdmc_growth_of(&r.particles, 1);
+    const pdmc_tip_growth none = pdmc_results_growth(&r.particles, 0), some = pdmc_results_growth(&r.particles, 1);
     CHECK_NEAR(none.growth, 0.0, 0.0);
     assert_true(isnan(none.begin) && isnan(none.end) && isnan(none.mean_speed));
     CHECK_NEAR(some.growth, 3.0, 0.0);
