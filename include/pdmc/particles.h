@@ -119,10 +119,11 @@ typedef struct {
     int threads; // no result depends on them
 } pdmc_particles_options;
 
-/// Sums over all nodes. Energy: kinetic + elastic + fracture + contact + dissipated = first + work, but for errors of the
-/// second order in the step.
+/// Sums over all nodes. Energy: kinetic + elastic + fracture + contact + dissipated = first + work: of small motions to rounding,
+/// else but for errors of the second order in the step.
 typedef struct {
-    double kinetic, elastic, contact;
+    double kinetic; // rho v_- . v_+ / 2, of half a step before and after; where a motion is prescribed rho v . v / 2
+    double elastic, contact;
     double dissipated; // by damping, or where bonds break between states of rest
     double fracture;   // in the bonds at the moment they broke
     double work;       // of conditions and of spheres that keep their velocity

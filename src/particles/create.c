@@ -68,6 +68,7 @@ static pdmc_status make_room(const pdmc_particles_options *o, pdmc_particles *p)
         PDMC_NEW(p->force[a], cells);
         memcpy(p->position[a], p->nodes.reference[a], cells * sizeof(double));
     }
+    PDMC_NEW(p->held, cells);
     PDMC_NEW(p->strength, cells);
     PDMC_NEW(p->next_strength, cells);
     PDMC_NEW(p->fracture, blocks);
@@ -92,6 +93,17 @@ static void start_nodes(const pdmc_particles_options *o, pdmc_particles *p)
             for (int a = 0; a < o->dimension; a++) p->velocity[a][c] = o->bodies[block->body].velocity[a];
             p->strength[c] = p->next_strength[c] = first ? first[c] : p->laws[block->material].critical_stretch;
         }
+    }
+}
+
+static void hold_nodes(pdmc_particles *p)
+{
+    for (int l = 0; l < p->layer_count; l++) {
+        const pdmc_layer *layer = &p->layers[l];
+        unsigned axes = 0;
+        for (int a = 0; a < PDMC_AXES; a++)
+            axes |= (unsigned)(pdmc_layer_holds(layer) && layer->condition.along[a]) << a;
+        for (int k = 0; k < layer->count; k++) p->held[layer->cell[k]] |= (uint8_t)axes;
     }
 }
 
@@ -165,9 +177,9 @@ static pdmc_status create(const pdmc_particles_options *o, pdmc_particles *p)
         PDMC_TRY(pdmc_layer_create(&o->conditions[c], &p->nodes, p->density, &p->layers[c]));
     }
     p->kernel = pdmc_forces_choose(&p->kernel_name);
+    hold_nodes(p);
     start_nodes(o, p);
     start_spheres(o, p);
-    p->first = pdmc_particles_sum(p).kinetic;
     PDMC_TRY(pdmc_particles_start(p));
 done:
     return status;
@@ -204,9 +216,9 @@ void pdmc_particles_destroy(pdmc_particles *p)
         pdmc_free(p->velocity[a]);
         pdmc_free(p->force[a]);
     }
-    void *const others[] = {p->density,  p->laws,    p->strength,       p->next_strength,
-                            p->fracture, p->elastic, p->contact_energy, p->share,
-                            p->layers,   p->spheres, p->sphere_force,   p->sphere_energy};
+    void *const others[] = {p->density,  p->laws,         p->held,           p->strength, p->next_strength,
+                            p->fracture, p->elastic,      p->contact_energy, p->share,    p->layers,
+                            p->spheres,  p->sphere_force, p->sphere_energy};
     for (size_t k = 0; k < sizeof others / sizeof *others; k++) pdmc_free(others[k]);
     pdmc_free(p);
 }

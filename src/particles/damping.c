@@ -103,29 +103,36 @@ void pdmc_damping_correct(const pdmc_damping *damping, size_t cell, int axis, do
     *force = correct;
 }
 
-/// The power of a block's damping forces, at the velocities in the middle of a step.
+/// The power of a block's damping forces, at velocities that are older by the duration, or as they are.
 static double power_of(const pdmc_damping *damping, const pdmc_motion_of_nodes *m, const pdmc_block *block,
-                       double *const force[PDMC_AXES], double step)
+                       double *const force[PDMC_AXES], double duration)
 {
-    const double half = 0.5 * step / m->density[block->material];
+    const double by_density = duration / m->density[block->material];
     double power = 0.0;
     for (unsigned left = block->nodes; left; left &= left - 1) {
         const size_t c = block->cell + (size_t)__builtin_ctz(left);
         for (int a = 0; a < PDMC_AXES; a++)
-            power += m->nodes->volume[c] * damping->force[a][c] * (m->velocity[a][c] + half * force[a][c]);
+            power += m->nodes->volume[c] * damping->force[a][c] * (m->velocity[a][c] + by_density * force[a][c]);
     }
+    return power;
+}
+
+static double whole_power(const pdmc_damping *damping, const pdmc_motion_of_nodes *m, double *const force[PDMC_AXES],
+                          double duration)
+{
+    const pdmc_nodes *g = m->nodes;
+    double power = 0.0;
+#pragma omp parallel for num_threads(m->threads) schedule(static)
+    for (int b = 0; b < g->block_count; b++) damping->share[b] = power_of(damping, m, &g->blocks[b], force, duration);
+    for (int b = 0; b < g->block_count; b++) power += damping->share[b];
     return power;
 }
 
 void pdmc_damping_count(pdmc_damping *damping, const pdmc_motion_of_nodes *m, double *const force[PDMC_AXES],
                         double step)
 {
-    const pdmc_nodes *g = m->nodes;
-#pragma omp parallel for num_threads(m->threads) schedule(static)
-    for (int b = 0; b < g->block_count; b++) damping->share[b] = power_of(damping, m, &g->blocks[b], force, step);
-    damping->last_one = 0.0;
-    for (int b = 0; b < g->block_count; b++) damping->last_one -= damping->share[b] * step;
-    damping->dissipated += damping->last_one;
+    damping->after = -0.5 * step * whole_power(damping, m, force, step);
+    damping->dissipated += damping->after - 0.5 * step * whole_power(damping, m, force, 0.0);
 }
 
 double pdmc_damping_stable_step(double undamped, double rate)

@@ -7,10 +7,10 @@
 #include "particles/forces.h"
 
 typedef struct {
-    double absolute, relative;   // C, c_v
-    double *force[PDMC_AXES];    // [cells] on a unit of volume; NULL without damping
-    double *share;               // [blocks] room for sums
-    double dissipated, last_one; // until half a step after the time; of the last whole step of it
+    double absolute, relative; // C, c_v
+    double *force[PDMC_AXES];  // [cells] on a unit of volume; NULL without damping
+    double *share;             // [blocks] room for sums
+    double dissipated, after;  // until half a step after the time; what is after the time of it
 } pdmc_damping;
 
 /// What moves.
@@ -47,7 +47,7 @@ void pdmc_damping_add(const pdmc_damping *damping, const pdmc_motion_of_nodes *m
 void pdmc_damping_correct(const pdmc_damping *damping, size_t cell, int axis, double density, double step,
                           double before, double after, double *force);
 
-/// Counts what the damping forces take in a step. @param[in] force  [cells] of every axis: all of them, damping included
+/// Counts what the damping forces take from half a step before the time, at the velocities there, to half a step after it. @param[in] force  [cells] of every axis: all of them, damping included
 void pdmc_damping_count(pdmc_damping *damping, const pdmc_motion_of_nodes *motion, double *const force[PDMC_AXES],
                         double step);
 

@@ -24,6 +24,8 @@ typedef struct {
     bool linear;                       // whether the stretch is that along the reference direction
     bool by_node;                      // whether s_0 differs between nodes for another reason than strengthening
     const double *position[PDMC_AXES]; // [cells]
+    const double *velocity[PDMC_AXES]; // [cells] half a step before
+    double step;                       // of time
     const double *stiffness;           // [cells] factors of c, whose mean of two nodes is that of their bond; NULL: 1
     const double *first_strength;      // [cells] s_0 without strengthening; NULL: that of the laws
     const double *strength;            // [cells] s_0, of which the less of two nodes is that of their bond

@@ -201,16 +201,32 @@ INLINE void add_neighbour(const place *at, int k, uint8_t bonds, sums *s)
         greatest_where(bonds, s->shortest, at->kind.linear ? subtract(lanes_of(0.0), linear_stretch(&p)) : ratio);
 }
 
-/// |xi| V_p V_x s^2 / 4, summed over some of the pairs.
-INLINE double energy_of(const place *at, const pairs *p, uint8_t counted)
+/// |xi| V_p V_x s s' / 4, summed over some of the pairs: half of a bond's energy where s' = s.
+INLINE double energy_of(const place *at, const pairs *p, uint8_t counted, lanes s, lanes other)
 {
-    const lanes volume = load(&at->forces->nodes->volume[at->block->cell]), stretch = stretch_of(at, p);
+    const lanes volume = load(&at->forces->nodes->volume[at->block->cell]);
     const lanes volumes = multiply(volume, multiply(p->length, p->minus_weight));
     const lanes stiffness = multiply(volumes, stiffness_of(at, p));
-    return -0.25 * sum_where(counted, multiply(stiffness, multiply(stretch, stretch)));
+    return -0.25 * sum_where(counted, multiply(stiffness, multiply(s, other)));
 }
 
-/// Breaks the bonds that are stretched too far. @return a half of c s^2 |xi| / 2 of every one of them
+/// What the stretch grows by in a step, with the velocities half a step before.
+INLINE lanes growth_of(const place *at, const pairs *p)
+{
+    const pdmc_forces *f = at->forces;
+    lanes growth = lanes_of(0.0);
+    for (int a = 0; a < PDMC_AXES; a++) {
+        const lanes own = load(&f->velocity[a][at->block->cell]);
+        const lanes parting = subtract(of_neighbours(at, f->velocity[a], p->cell), own);
+        growth = multiply_add(parting, at->kind.linear ? p->slope[a] : p->apart[a], growth);
+    }
+    const lanes by_step = multiply(lanes_of(f->step), growth);
+    return at->kind.linear ? by_step : divide(multiply(by_step, p->inverse_distance), p->length);
+}
+
+/// Breaks the bonds that are stretched too far. They still act in this step, and in the half of it that is to come they
+/// take c s ds |xi| / 2 more, with which the sum of energies is of second order.
+/// @return a half of c (s^2 + s ds) |xi| / 2 of every one of them
 static __attribute__((noinline)) double break_bonds(const pdmc_forces *f, int b, bond_kind kind)
 {
     const place at = place_of(f, b, kind);
@@ -220,7 +236,8 @@ static __attribute__((noinline)) double break_bonds(const pdmc_forces *f, int b,
         const pairs p = pairs_of(&at, k);
         const uint8_t broken = *bonds & less(reserve_of(&at, &p), at.enough);
         if (broken == 0) continue;
-        energy += energy_of(&at, &p, broken);
+        const lanes s = stretch_of(&at, &p);
+        energy += energy_of(&at, &p, broken, s, add(s, growth_of(&at, &p)));
         *bonds &= (uint8_t)~broken;
     }
     return energy * at.law->micromodulus;
@@ -282,7 +299,8 @@ INLINE void find_energies(const pdmc_forces *f, int b, bond_kind kind)
     double elastic = 0.0;
     for (int k = 0; k < at.block->listed; k++) {
         const pairs p = pairs_of(&at, k);
-        elastic += energy_of(&at, &p, f->nodes->bonds[at.block->bonds + (size_t)k]);
+        const lanes s = stretch_of(&at, &p);
+        elastic += energy_of(&at, &p, f->nodes->bonds[at.block->bonds + (size_t)k], s, s);
     }
     f->elastic[b] = at.law->micromodulus * elastic;
     f->contact[b] = repel(f, b, kind, true);

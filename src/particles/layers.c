@@ -102,36 +102,52 @@ static double velocity_after(const pdmc_layer *layer, const pdmc_nodes *g, const
     return (value - (m->position[axis][c] - g->reference[axis][c])) / m->step;
 }
 
-double pdmc_layer_hold(pdmc_layer *layer, const pdmc_nodes *g, const pdmc_layer_motion *m)
+/// What holds a node to a motion gives it the kinetic energy of that motion, which is counted as it is, whatever its
+/// velocity jumps by; the rest is against the other forces on it.
+static pdmc_step_work work_of_holding(const pdmc_layer_motion *m, double density, double others, double before,
+                                      double after)
+{
+    const double mean = 0.5 * (before + after), half = 0.5 * m->step;
+    return (pdmc_step_work){0.5 * density * (mean * mean - before * before) - half * before * others,
+                            0.5 * density * (after * after - mean * mean) - half * after * others};
+}
+
+static void add_work(pdmc_step_work part, double volume, pdmc_step_work *sum)
+{
+    sum->before += part.before * volume;
+    sum->after += part.after * volume;
+}
+
+pdmc_step_work pdmc_layer_hold(pdmc_layer *layer, const pdmc_nodes *g, const pdmc_layer_motion *m)
 {
     const bool by_velocity = layer->condition.kind == PDMC_CONDITION_VELOCITY;
     const double factor = pdmc_layer_factor(layer, m->time + (by_velocity ? 0.5 : 1.0) * m->step);
-    double work = 0.0;
+    pdmc_step_work work = {0.0, 0.0};
     for (int a = 0; a < PDMC_AXES; a++) {
         layer->exerted[a] = 0.0;
         for (int k = 0; layer->condition.along[a] && k < layer->count; k++) {
             const size_t c = layer->cell[k];
             const double before = m->velocity[a][c], after = velocity_after(layer, g, m, k, a, factor);
             pdmc_damping_correct(m->damping, c, a, layer->density[k], m->step, before, after, &m->force[a][c]);
-            const double acting = layer->density[k] / m->step * (after - before) - m->force[a][c];
+            const double others = m->force[a][c], acting = layer->density[k] / m->step * (after - before) - others;
             m->force[a][c] += acting;
             layer->exerted[a] += acting * g->volume[c];
-            work += acting * 0.5 * (before + after) * m->step * g->volume[c];
+            add_work(work_of_holding(m, layer->density[k], others, before, after), g->volume[c], &work);
         }
     }
     return work;
 }
 
-double pdmc_layer_work(const pdmc_layer *layer, const pdmc_nodes *g, const pdmc_layer_motion *m)
+pdmc_step_work pdmc_layer_work(const pdmc_layer *layer, const pdmc_nodes *g, const pdmc_layer_motion *m)
 {
     const double factor = pdmc_layer_factor(layer, m->time);
-    double work = 0.0;
+    pdmc_step_work work = {0.0, 0.0};
     for (int a = 0; a < PDMC_AXES; a++) {
         for (int k = 0; layer->condition.along[a] && k < layer->count; k++) {
             const size_t c = layer->cell[k];
             const double before = m->velocity[a][c], after = before + m->force[a][c] * m->step / layer->density[k];
-            const double value = pdmc_layer_value(layer, g, k, a, factor);
-            work += value * 0.5 * (before + after) * m->step * g->volume[c];
+            const double impulse = 0.5 * m->step * pdmc_layer_value(layer, g, k, a, factor);
+            add_work((pdmc_step_work){impulse * before, impulse * after}, g->volume[c], &work);
         }
     }
     return work;

@@ -23,6 +23,12 @@ typedef struct {
     const pdmc_damping *damping;
 } pdmc_layer_motion;
 
+/// Work from t - step / 2 to t, and from t to t + step / 2: what a force does at the velocities on either side, so that with
+/// a kinetic energy of the product of both the sum of energies is that of a linear system to rounding.
+typedef struct {
+    double before, after;
+} pdmc_step_work;
+
 /// @param[in]  density  [materials] rho
 /// @param[out] layer    clear with pdmc_layer_clear(), whatever is returned
 /// @return PDMC_OK; PDMC_ERR_ARG where the layer holds no node; PDMC_ERR_NOMEM
@@ -42,8 +48,8 @@ void pdmc_layer_push(pdmc_layer *layer, const pdmc_nodes *nodes, const pdmc_laye
 
 /// Sets the forces to what makes the velocities those prescribed at t + step / 2, or those that lead to the displacements
 /// prescribed at t + step.
-/// @return the work of the condition from t - step / 2 to t + step / 2, where no later condition is of the same motion
-double pdmc_layer_hold(pdmc_layer *layer, const pdmc_nodes *nodes, const pdmc_layer_motion *motion);
+/// @return the work of the condition, where no later condition is of the same motion
+pdmc_step_work pdmc_layer_hold(pdmc_layer *layer, const pdmc_nodes *nodes, const pdmc_layer_motion *motion);
 
 /// The work of prescribed forces over the same time, when all forces are known.
-double pdmc_layer_work(const pdmc_layer *layer, const pdmc_nodes *nodes, const pdmc_layer_motion *motion);
+pdmc_step_work pdmc_layer_work(const pdmc_layer *layer, const pdmc_nodes *nodes, const pdmc_layer_motion *motion);

@@ -22,6 +22,7 @@ static pdmc_forces forces_of(const pdmc_particles *p)
     pdmc_forces forces = {.nodes = &p->nodes,
                           .laws = p->laws,
                           .repulsion = p->repulsion,
+                          .step = p->step,
                           .linear = p->linear,
                           .by_node = p->variation.first_strength,
                           .stiffness = p->variation.stiffness,
@@ -34,6 +35,7 @@ static pdmc_forces forces_of(const pdmc_particles *p)
                           .contact = p->contact_energy};
     for (int a = 0; a < PDMC_AXES; a++) {
         forces.position[a] = p->position[a];
+        forces.velocity[a] = p->velocity[a];
         forces.force[a] = p->force[a];
     }
     return forces;
@@ -122,10 +124,19 @@ static void accelerate_spheres(pdmc_particles *p, double step)
         pdmc_rigid_sphere *sphere = &p->spheres[s];
         for (int a = 0; a < PDMC_AXES; a++) {
             const double force = p->sphere_force[PDMC_AXES * s + a];
-            if (isinf(sphere->mass)) p->last_work -= force * sphere->velocity[a] * step;
-            else sphere->velocity[a] += step * force / sphere->mass;
+            if (isfinite(sphere->mass)) sphere->velocity[a] += step * force / sphere->mass;
         }
     }
+}
+
+/// Of what keeps spheres at their velocity.
+static pdmc_step_work work_of_spheres(const pdmc_particles *p)
+{
+    double power = 0.0;
+    for (int s = 0; s < p->sphere_count; s++)
+        for (int a = 0; a < PDMC_AXES && isinf(p->spheres[s].mass); a++)
+            power -= p->sphere_force[PDMC_AXES * s + a] * p->spheres[s].velocity[a];
+    return (pdmc_step_work){0.5 * p->step * power, 0.5 * p->step * power};
 }
 
 /// Takes the last acceleration back where it can be, so that the state is finite.
@@ -195,6 +206,12 @@ static void count_damping(pdmc_particles *p)
     pdmc_damping_count(&p->damping, &motion, p->force, p->step);
 }
 
+static void count_work(pdmc_particles *p, pdmc_step_work part)
+{
+    p->work += part.before + part.after;
+    p->work_after += part.after;
+}
+
 /// Adds the forces of conditions and of damping, the latter by what all others make of the velocities; then what holds
 /// the nodes whose motion is prescribed.
 static void act(pdmc_particles *p)
@@ -206,28 +223,29 @@ static void act(pdmc_particles *p)
         motion.velocity[a] = p->velocity[a];
         motion.force[a] = p->force[a];
     }
-    p->last_work = 0.0;
     for (int k = 0; k < p->layer_count; k++)
         if (!pdmc_layer_holds(&p->layers[k])) pdmc_layer_push(&p->layers[k], g, &motion);
     damp(p, 0.5 * p->step);
     for (int k = 0; k < p->layer_count; k++)
-        if (pdmc_layer_holds(&p->layers[k])) p->last_work += pdmc_layer_hold(&p->layers[k], g, &motion);
+        if (pdmc_layer_holds(&p->layers[k])) count_work(p, pdmc_layer_hold(&p->layers[k], g, &motion));
     for (int k = 0; k < p->layer_count; k++)
-        if (!pdmc_layer_holds(&p->layers[k])) p->last_work += pdmc_layer_work(&p->layers[k], g, &motion);
+        if (!pdmc_layer_holds(&p->layers[k])) count_work(p, pdmc_layer_work(&p->layers[k], g, &motion));
     count_damping(p);
 }
 
 /// From half a step before the time to half a step after it.
 static pdmc_status kick(pdmc_particles *p)
 {
+    p->work_after = 0.0;
     act(p);
+    count_work(p, work_of_spheres(p));
     accelerate_spheres(p, p->step);
-    p->work += p->last_work;
     return accelerate(p, p->step) ? PDMC_OK : report_lost(p);
 }
 
 pdmc_status pdmc_particles_start(pdmc_particles *p)
 {
+    p->first = pdmc_particles_sum(p).kinetic;
     const pdmc_status status = find_forces(p);
     if (status != PDMC_OK) return status;
     damp(p, 0.0);
@@ -235,8 +253,9 @@ pdmc_status pdmc_particles_start(pdmc_particles *p)
     undamp(p);
     accelerate_spheres(p, -0.5 * p->step);
     const pdmc_status kicked = kick(p);
-    p->work = 0.5 * p->last_work; // the other half was before the start
-    p->damping.dissipated = 0.5 * p->damping.last_one;
+    p->damping.dissipated = p->damping.after; // the rest was before the start
+    p->work = p->work_after;
+    p->work += pdmc_particles_sum(p).kinetic - p->first; // of velocities that jump at the start
     return kicked;
 }
 

@@ -322,7 +322,7 @@ static pdmc_status start(resting *r)
     for (int k = 0; k < 2; k++) PDMC_NEW(m->at_rest[k], r->unknowns);
     PDMC_NEW(m->external, r->unknowns);
     gather(p, p->position, m->at_rest[0]);
-    p->work = p->last_work = p->damping.dissipated = p->damping.last_one = 0.0;
+    p->work = p->work_after = p->damping.dissipated = p->damping.after = 0.0;
 done:
     return status;
 }

@@ -51,7 +51,8 @@ static void add_motion(const pdmc_particles *p, const pdmc_block *block, pdmc_pa
         const double mass = p->density[block->material] * p->nodes.volume[c];
         for (int a = 0; a < PDMC_AXES; a++) {
             const double v = pdmc_particles_velocity_at(p, block, a, c);
-            sums->kinetic += 0.5 * mass * v * v;
+            const double after = p->velocity[a][c], before = 2.0 * v - after;
+            sums->kinetic += 0.5 * mass * (p->held[c] >> a & 1 ? v * v : before * after);
             sums->momentum[a] += mass * v;
         }
     }
@@ -77,7 +78,7 @@ static void add_spheres(const pdmc_particles *p, pdmc_particles_sums *sums)
         if (isinf(sphere->mass)) continue;
         for (int a = 0; a < PDMC_AXES; a++) {
             const double v = sphere->velocity[a] - 0.5 * p->step * p->sphere_force[PDMC_AXES * s + a] / sphere->mass;
-            sums->kinetic += 0.5 * sphere->mass * v * v;
+            sums->kinetic += 0.5 * sphere->mass * sphere->velocity[a] * (2.0 * v - sphere->velocity[a]);
             sums->momentum[a] += sphere->mass * v;
         }
     }
@@ -85,8 +86,8 @@ static void add_spheres(const pdmc_particles *p, pdmc_particles_sums *sums)
 
 pdmc_particles_sums pdmc_particles_sum(const pdmc_particles *p)
 {
-    pdmc_particles_sums sums = {.work = p->work - 0.5 * p->last_work,
-                                .dissipated = p->damping.dissipated - 0.5 * p->damping.last_one + p->rest.dissipated,
+    pdmc_particles_sums sums = {.work = p->work - p->work_after,
+                                .dissipated = p->damping.dissipated - p->damping.after + p->rest.dissipated,
                                 .first = p->first};
     pdmc_particles_find_energies(p);
     for (int b = 0; b < p->nodes.block_count; b++) {

@@ -19,8 +19,8 @@ typedef struct {
     pdmc_nodes nodes;
     pdmc_bond_law law;
     pdmc_forces forces;
-    double *position[PDMC_AXES], *force[PDMC_AXES], *strength, *next_strength, *stiffness, *fracture, *elastic,
-        *contact;
+    double *position[PDMC_AXES], *velocity[PDMC_AXES], *force[PDMC_AXES], *strength, *next_strength, *stiffness,
+        *fracture, *elastic, *contact;
     double strengths[PDMC_STRENGTH_CLASSES];
     uint8_t *bonds; // as they were
 } setting;
@@ -52,13 +52,19 @@ static void set_up(setting *t, variant kind, double amplitude)
     } else CHECK_OK(pdmc_lattice_create(&t->s.options, &t->nodes));
     const size_t cells = t->nodes.cells + PDMC_LANES, blocks = (size_t)t->nodes.block_count;
     t->law = (pdmc_bond_law){2.0, 0.05, kind.strengthening, NULL};
-    t->forces = (pdmc_forces){
-        .nodes = &t->nodes, .laws = &t->law, .repulsion = 3.0, .linear = kind.linear, .by_node = kind.factors};
+    t->forces = (pdmc_forces){.nodes = &t->nodes,
+                              .laws = &t->law,
+                              .repulsion = 3.0,
+                              .step = 0.1,
+                              .linear = kind.linear,
+                              .by_node = kind.factors};
     for (int a = 0; a < PDMC_AXES; a++) {
         t->forces.position[a] = t->position[a] = zeros(cells);
+        t->forces.velocity[a] = t->velocity[a] = zeros(cells);
         t->forces.force[a] = t->force[a] = zeros(cells);
         memcpy(t->position[a], t->nodes.reference[a], cells * sizeof(double));
         for (int k = 0; k < t->nodes.node_count; k++) t->position[a][t->nodes.cell[k]] += amplitude * scatter(&seed);
+        for (int k = 0; k < t->nodes.node_count; k++) t->velocity[a][t->nodes.cell[k]] = scatter(&seed);
     }
     t->forces.strength = t->strength = zeros(cells);
     t->forces.next_strength = t->next_strength = zeros(cells);
@@ -82,6 +88,7 @@ static void tear_down(setting *t)
 {
     for (int a = 0; a < PDMC_AXES; a++) {
         pdmc_free(t->position[a]);
+        pdmc_free(t->velocity[a]);
         pdmc_free(t->force[a]);
     }
     pdmc_free(t->strength);
@@ -136,15 +143,19 @@ static expected node_by_definition(const setting *t, size_t i)
         const double c =
             t->law.micromodulus * 0.5 * (t->stiffness[i] + t->stiffness[j]) * weight_of(length) * g->volume[j];
         const double energy = 0.25 * c * s * s * length * g->volume[i];
+        double growth = 0.0;
+        for (int a = 0; a < PDMC_AXES; a++) {
+            const double towards = t->kind.linear ? along[a] / length : apart[a] / distance;
+            growth += t->forces.step * (t->velocity[a][j] - t->velocity[a][i]) * towards / length;
+            e.force[a] += c * s * towards;
+        }
         e.least_stretch = fmin(e.least_stretch, s);
-        if (s > bears(t, i, j)) e.fracture += energy;
+        if (s > bears(t, i, j)) e.fracture += energy + 0.25 * c * s * growth * length * g->volume[i];
         else e.whole++;
         e.elastic += energy;
         const double push = depth > 0.0 ? t->forces.repulsion * g->volume[j] * depth : 0.0;
         if (depth > 0.0) e.contact += 0.25 * push * depth * g->volume[i], e.touching++;
-        for (int a = 0; a < PDMC_AXES; a++)
-            e.force[a] +=
-                c * s * (t->kind.linear ? along[a] / length : apart[a] / distance) - push * apart[a] / distance;
+        for (int a = 0; a < PDMC_AXES; a++) e.force[a] -= push * apart[a] / distance;
     }
     return e;
 }
