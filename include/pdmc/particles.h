@@ -178,10 +178,11 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_particles_advance(pdmc_particles *parti
 
 /// How bodies are brought to rest.
 typedef struct {
-    double tolerance; // > 0, of the residual: the norm of the forces out of balance, over the largest one of the external
-                      // forces (prescribed ones and reactions) at rest so far, this load's included
-    int most_steps;   // of a relaxation, after which it has failed
-    double damping;   // of the relaxation, constant, in [0, 2) as in pdmc/relaxation.h; negative: adaptive
+    double
+        tolerance;  // > 0, of the residual: the norm of the forces out of balance, over the largest one of the external
+                    // forces (prescribed ones and reactions) at rest so far, this load's included
+    int most_steps; // of a relaxation, after which it has failed
+    double damping; // of the relaxation, constant, in [0, 2) as in pdmc/relaxation.h; negative: adaptive
     bool (*go_on)(void *context, int steps); // asked now and then; NULL is allowed
     void *context;
 } pdmc_rest_options;

@@ -57,6 +57,17 @@ INLINE bool is_uniform(bond_kind kind)
     return !kind.linear && !kind.by_node && !kind.varied;
 }
 
+/// Where it is not known to the compiler, as in everything that is done seldom: once a version would be too much code.
+static bond_kind kind_of(const pdmc_forces *f, int b)
+{
+    const pdmc_bond_law *law = &f->laws[f->nodes->blocks[b].material];
+    const bool varied = f->linear || f->stiffness || law->strengths;
+    return (bond_kind){.scattered = f->nodes->partner,
+                       .linear = f->linear,
+                       .by_node = f->nodes->partner || varied || f->by_node || law->strengthening != 0.0,
+                       .varied = varied};
+}
+
 INLINE place place_of(const pdmc_forces *f, int b, bond_kind kind)
 {
     place at = {
@@ -227,9 +238,9 @@ INLINE lanes growth_of(const place *at, const pairs *p)
 /// Breaks the bonds that are stretched too far. They still act in this step, and in the half of it that is to come they
 /// take c s ds |xi| / 2 more, with which the sum of energies is of second order.
 /// @return a half of c (s^2 + s ds) |xi| / 2 of every one of them
-static __attribute__((noinline)) double break_bonds(const pdmc_forces *f, int b, bond_kind kind)
+static __attribute__((noinline)) double break_bonds(const pdmc_forces *f, int b)
 {
-    const place at = place_of(f, b, kind);
+    const place at = place_of(f, b, kind_of(f, b));
     double energy = 0.0;
     for (int k = 0; k < at.block->listed; k++) {
         uint8_t *bonds = &f->nodes->bonds[at.block->bonds + (size_t)k];
@@ -245,9 +256,9 @@ static __attribute__((noinline)) double break_bonds(const pdmc_forces *f, int b,
 
 /// The repulsion between nodes at p < d: repulsion V_p (d - p). Written to `force`, on a unit of volume.
 /// @return a half of its energy, of all pairs
-static __attribute__((noinline)) double repel(const pdmc_forces *f, int b, bond_kind kind, bool energies)
+static __attribute__((noinline)) double repel(const pdmc_forces *f, int b, bool energies)
 {
-    const place at = place_of(f, b, kind);
+    const place at = place_of(f, b, kind_of(f, b));
     const lanes one = lanes_of(1.0), volume = load(&f->nodes->volume[at.block->cell]);
     double energy = 0.0;
     lanes force[PDMC_AXES];
@@ -289,13 +300,13 @@ INLINE void find_forces(const pdmc_forces *f, int b, bond_kind kind)
     for (int a = 0; a < PDMC_AXES; a++)
         store_where(at.block->nodes, &f->force[a][at.block->cell], multiply(micromodulus, s.force[a]));
     if (at.law->strengthening != 0.0) strengthen(&at, &s);
-    if (!f->unbreakable && (less(s.weakest, at.enough) & at.block->nodes)) f->fracture[b] += break_bonds(f, b, kind);
-    if (less(lanes_of(f->nodes->touching), s.closest) & at.block->nodes) repel(f, b, kind, false);
+    if (!f->unbreakable && (less(s.weakest, at.enough) & at.block->nodes)) f->fracture[b] += break_bonds(f, b);
+    if (less(lanes_of(f->nodes->touching), s.closest) & at.block->nodes) repel(f, b, false);
 }
 
-INLINE void find_energies(const pdmc_forces *f, int b, bond_kind kind)
+static void find_energies(const pdmc_forces *f, int b)
 {
-    const place at = place_of(f, b, kind);
+    const place at = place_of(f, b, kind_of(f, b));
     double elastic = 0.0;
     for (int k = 0; k < at.block->listed; k++) {
         const pairs p = pairs_of(&at, k);
@@ -303,31 +314,27 @@ INLINE void find_energies(const pdmc_forces *f, int b, bond_kind kind)
         elastic += energy_of(&at, &p, f->nodes->bonds[at.block->bonds + (size_t)k], s, s);
     }
     f->elastic[b] = at.law->micromodulus * elastic;
-    f->contact[b] = repel(f, b, kind, true);
+    f->contact[b] = repel(f, b, true);
 }
 
-INLINE void find(const pdmc_forces *f, int b, bond_kind kind)
+static __attribute__((noinline)) void find_seldom_forces(const pdmc_forces *f, int b)
 {
-    if (f->energies) find_energies(f, b, kind);
-    else find_forces(f, b, kind);
+    find_forces(f, b, kind_of(f, b));
 }
 
-/// A constant kind for each version of the kernel.
-INLINE void find_of_kind(const pdmc_forces *f, int b, bool scattered)
+/// A constant kind for each version of the kernel that has to be fast.
+INLINE void find(const pdmc_forces *f, int b)
 {
-    const pdmc_bond_law *law = &f->laws[f->nodes->blocks[b].material];
-    const bool by_node = f->by_node || law->strengthening != 0.0;
-    if (f->linear) find(f, b, (bond_kind){.scattered = scattered, .linear = true, .by_node = true, .varied = true});
-    else if (f->stiffness || law->strengths)
-        find(f, b, (bond_kind){.scattered = scattered, .by_node = true, .varied = true});
-    else if (by_node) find(f, b, (bond_kind){.scattered = scattered, .by_node = true});
-    else find(f, b, (bond_kind){.scattered = scattered});
+    const bond_kind kind = kind_of(f, b);
+    if (f->energies) find_energies(f, b);
+    else if (kind.linear || (kind.varied && kind.scattered)) find_seldom_forces(f, b);
+    else if (kind.scattered) find_forces(f, b, (bond_kind){.scattered = true, .by_node = true});
+    else if (kind.varied) find_forces(f, b, (bond_kind){.by_node = true, .varied = true});
+    else if (kind.by_node) find_forces(f, b, (bond_kind){.by_node = true});
+    else find_forces(f, b, (bond_kind){0});
 }
 
 void KERNEL(const pdmc_forces *f, int first, int last)
 {
-    for (int b = first; b < last; b++) {
-        if (f->nodes->partner) find_of_kind(f, b, true);
-        else find_of_kind(f, b, false);
-    }
+    for (int b = first; b < last; b++) find(f, b);
 }
