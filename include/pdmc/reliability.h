@@ -39,6 +39,7 @@ typedef struct {
     double *importance; // [dimension] owned; alpha_i^2 of the normal alpha = grad g / |grad g|, with sum 1; else NaN
     double index;       // beta = |z|, negative where g(0) > 0; NaN unless converged
     double probability; // Phi(-beta); NaN unless converged
+    double slope;       // |grad g| at z; NaN unless converged
     double residual;    // |g| / |grad g| at z, the surface's distance to first order; NaN without a gradient
     long evaluations;
     bool converged; // residual and the part of z beside alpha are within the tolerance
@@ -47,12 +48,26 @@ typedef struct {
 /// The improved HL-RF iteration: z moves along d = ((grad g . z - g) / |grad g|^2) grad g - z by the largest lambda = 1, 1/2,
 /// 1/4, ... that reduces |z|^2 / 2 + c |g| enough (Zhang & Der Kiureghian 1995). All points of a gradient are evaluated at
 /// once, as are all lambda. Points with NaN are stepped over; where the gradient vanishes at the start, the search begins at
-/// the best point of the axes. It finds one point: others are found from other starts.
+/// the best point of the axes. It finds one point: see pdmc_first_order_find_other().
 /// @param[out] point  free with pdmc_first_order_clear(), whatever is returned
 /// @return PDMC_OK also where there is no such point (not converged), PDMC_ERR_ARG, PDMC_ERR_NOMEM, or what g gives
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_first_order_find(const pdmc_limit_state *limit,
                                                           const pdmc_first_order_options *options,
                                                           pdmc_first_order *point);
+
+/// Another point of g(z) = 0 that is nearest the origin among those around it. The search begins again at a point of the axes,
+/// as far from the origin as the nearest known point: that with the largest g of those which are nearer to the origin than to
+/// any known point, and where g is above the planes through these by what a tenth of a unit of z does. Along the axes the
+/// quantities act alone: what only several of them do together may still be missed.
+/// @param[in]  known  [count] >= 1, converged points with positive indices
+/// @param[out] point  free with pdmc_first_order_clear(), whatever is returned; converged where it is another one; its residual
+///                    is NaN where no search began, or the search ended within half a unit of a known point; its
+///                    evaluations are all that were made
+/// @return PDMC_OK also where there is none, PDMC_ERR_ARG, PDMC_ERR_NOMEM, or what g gives
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_first_order_find_other(const pdmc_limit_state *limit,
+                                                                const pdmc_first_order_options *options, int count,
+                                                                const pdmc_first_order known[],
+                                                                pdmc_first_order *point);
 
 /// NULL inside is allowed.
 PDMC_API void pdmc_first_order_clear(pdmc_first_order *point);

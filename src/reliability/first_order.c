@@ -187,12 +187,13 @@ static void report(const search *s, bool converged, pdmc_first_order *point)
     point->converged = converged;
     point->evaluations = s->evaluations;
     point->residual = has_slope(s) ? fabs(s->g) / s->slope : NAN;
-    point->index = point->probability = NAN;
+    point->index = point->probability = point->slope = NAN;
     memcpy(point->z, s->z, (size_t)s->n * sizeof *s->z);
     for (int i = 0; i < s->n; i++) point->importance[i] = NAN;
     if (!converged) return;
     point->index = copysign(cblas_dnrm2(s->n, s->z, 1), cblas_ddot(s->n, s->z, 1, s->gradient, 1));
     point->probability = gsl_cdf_ugaussian_Q(point->index);
+    point->slope = s->slope;
     for (int i = 0; i < s->n; i++) point->importance[i] = pow(s->gradient[i] / s->slope, 2.0);
 }
 

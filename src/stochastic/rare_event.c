@@ -11,6 +11,9 @@
 // Points between two looks at the variation, where each is a plate of its own.
 enum { DEAR_BATCH = 4 * PDMC_BLOCK };
 
+enum { MOST_POINTS = 3 };             // design points of a tip
+static const double at_the_limit = 0.1; // units of z
+
 static const char *quantity_name(pdmc_quantity quantity)
 {
     static const char *const names[PDMC_QUANTITIES] = {
@@ -79,28 +82,44 @@ static void store_point(const pdmc_variables *variables, const pdmc_first_order 
     r->first_order_probability = point->probability;
 }
 
-// The design point of every tip: growth of any is a union of events, whose limit has no gradient where two tips are as near
-// to growing. The nearest is the one that is told.
-// centre: [tips, variables] where each search ended, which is nearer to growth than the origin also where it found no point
-static pdmc_status find_points(pdmc_growth *growth, pdmc_reliability_results *r, double centre[])
+// The design points of one tip, of which two loads, say, that each can make it grow have one each. The first centre is where
+// the search ended, which is nearer to growth than the origin also where it found no point; others have to be at the limit, but
+// need not be points to the tolerance: where two directions of growth are as near, it has a kink.
+static pdmc_status find_points_of_tip(const pdmc_growth *growth, const pdmc_limit_state *limit,
+                                      pdmc_reliability_results *r, int *centres, double centre[])
 {
     pdmc_status status = PDMC_OK;
     const int variables = growth->variables->count;
-    const pdmc_limit_state limit = pdmc_growth_limit(growth);
     const pdmc_first_order_options options = pdmc_first_order_options_default();
-    pdmc_first_order point = {0};
-    double evaluations = 0.0;
-    for (growth->tip = 0; growth->tip < growth->results->tip_count; growth->tip++) {
-        PDMC_TRY(pdmc_first_order_find(&limit, &options, &point));
-        evaluations += (double)point.evaluations;
-        if (point.converged && !(r->first_order_index <= point.index)) store_point(growth->variables, &point, r);
-        memcpy(&centre[growth->tip * variables], point.z, (size_t)variables * sizeof *centre);
-        pdmc_first_order_clear(&point);
+    pdmc_first_order point[MOST_POINTS] = {0};
+    bool goes_on = true;
+    for (int k = 0; k < MOST_POINTS && goes_on; k++) {
+        PDMC_TRY(k == 0 ? pdmc_first_order_find(limit, &options, &point[0])
+                        : pdmc_first_order_find_other(limit, &options, k, point, &point[k]));
+        r->first_order_evaluations += (double)point[k].evaluations;
+        goes_on = point[k].converged && point[k].index > 0.0;
+        if (k > 0 && !(point[k].residual <= at_the_limit)) continue;
+        if (point[k].converged && !(r->first_order_index <= point[k].index))
+            store_point(growth->variables, &point[k], r);
+        memcpy(&centre[variables * (*centres)++], point[k].z, (size_t)variables * sizeof *centre);
     }
-    r->first_order_evaluations = evaluations;
+done:
+    for (int k = 0; k < MOST_POINTS; k++) pdmc_first_order_clear(&point[k]);
+    return status;
+}
+
+// Those of every tip: growth of any is a union of events, whose limit has no gradient where two tips are as near to growing.
+// The nearest is the one that is told.
+// centre: [MOST_POINTS tips, variables]
+static pdmc_status find_points(pdmc_growth *growth, pdmc_reliability_results *r, int *centres, double centre[])
+{
+    pdmc_status status = PDMC_OK;
+    const pdmc_limit_state limit = pdmc_growth_limit(growth);
+    r->first_order_evaluations = 0.0;
+    for (growth->tip = 0; growth->tip < growth->results->tip_count; growth->tip++)
+        PDMC_TRY(find_points_of_tip(growth, &limit, r, centres, centre));
 done:
     growth->tip = -1;
-    pdmc_first_order_clear(&point);
     return status;
 }
 
@@ -114,9 +133,10 @@ static pdmc_status sample_at_points(pdmc_growth *growth, double confidence, pdmc
     pdmc_importance_options options = pdmc_importance_options_default();
     pdmc_reliability found;
     double *centre = NULL;
-    const int centres = growth->results->tip_count + 1; // the last one is the origin
-    PDMC_NEW(centre, centres * variables->count);
-    PDMC_TRY(find_points(growth, r, centre));
+    int centres = 0;
+    PDMC_NEW(centre, (MOST_POINTS * growth->results->tip_count + 1) * variables->count);
+    PDMC_TRY(find_points(growth, r, &centres, centre));
+    centres++; // the last one is the origin
     options.seed = variables->problem->sampling.seed;
     options.confidence = confidence;
     options.variation = request->variation;

@@ -178,6 +178,58 @@ static void other_points_are_found_from_other_starts(void **state)
     }
 }
 
+static pdmc_first_order find_other(known_state *state, int count, const pdmc_first_order known[])
+{
+    const pdmc_limit_state limit = as_limit_state(state);
+    const pdmc_first_order_options options = pdmc_first_order_options_default();
+    const long before = state->evaluations;
+    pdmc_first_order point;
+    CHECK_OK(pdmc_first_order_find_other(&limit, &options, count, known, &point));
+    assert_int_equal(point.evaluations, state->evaluations - before);
+    return point;
+}
+
+// Of two planes the second, and no third; of a plane by itself none, for the price of a gradient. A surface that bends leads
+// back to its only point.
+static void other_points_are_looked_for_along_the_axes(void **state)
+{
+    (void)state;
+    pdmc_first_order known[3];
+    known_state two = {.dimension = 3, .g = two_planes, .parameter = {3.0}};
+    known_state one = {.dimension = 10, .g = plane, .parameter = {3.0}};
+    known_state bent = {.dimension = 2, .g = parabola, .parameter = {3.0, 0.3}};
+    known[0] = find(&two, NULL);
+    known[1] = find_other(&two, 1, known);
+    known[2] = find_other(&two, 2, known);
+    assert_true(known[1].converged && !known[2].converged);
+    CHECK_NEAR(known[0].slope, 1.0, 1e-10);
+    CHECK_NEAR(known[1].z[0], -known[0].z[0], 1e-8);
+    assert_int_equal(known[2].evaluations, 2 * 3);
+    for (int k = 0; k < 3; k++) pdmc_first_order_clear(&known[k]);
+    known_state *const alone[] = {&one, &bent};
+    for (int k = 0; k < 2; k++) {
+        known[0] = find(alone[k], NULL);
+        known[1] = find_other(alone[k], 1, known);
+        assert_false(known[1].converged);
+        assert_true(k == 0 ? known[1].evaluations == 2 * 10 : known[1].evaluations > 2 * 2);
+        pdmc_first_order_clear(&known[0]);
+        pdmc_first_order_clear(&known[1]);
+    }
+}
+
+// Only a point with the event beyond it has a plane to compare with.
+static void other_points_need_one_that_is_known(void **state)
+{
+    (void)state;
+    known_state inside = {.dimension = 3, .g = plane, .parameter = {-1.5}};
+    const pdmc_limit_state limit = as_limit_state(&inside);
+    const pdmc_first_order_options options = pdmc_first_order_options_default();
+    pdmc_first_order known = find(&inside, NULL), other;
+    CHECK_STATUS(pdmc_first_order_find_other(&limit, &options, 1, &known, &other), PDMC_ERR_ARG);
+    CHECK_STATUS(pdmc_first_order_find_other(&limit, &options, 0, &known, &other), PDMC_ERR_ARG);
+    pdmc_first_order_clear(&known);
+}
+
 static void points_do_not_depend_on_how_g_is_evaluated(void **state)
 {
     (void)state;
@@ -236,6 +288,8 @@ int main(void)
         cmocka_unit_test(unsolved_points_are_stepped_over),
         cmocka_unit_test(what_cannot_be_reached_is_not_converged),
         cmocka_unit_test(other_points_are_found_from_other_starts),
+        cmocka_unit_test(other_points_are_looked_for_along_the_axes),
+        cmocka_unit_test(other_points_need_one_that_is_known),
         cmocka_unit_test(points_do_not_depend_on_how_g_is_evaluated),
         cmocka_unit_test(errors_are_reported),
     };
