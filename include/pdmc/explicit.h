@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// A problem of explicit dynamics: bodies of bonds in motion, what acts on them, and what is recorded. Plain data in
-/// the study's own units; see pdmc/particles.h for what is computed.
+/// A problem of bodies of bonds, in motion or brought to rest load by load, what acts on them, and what is recorded. Plain
+/// data in the study's own units; see pdmc/particles.h for what is computed.
 
 #include "pdmc/particles.h"
 
@@ -51,6 +51,10 @@ typedef struct {
     pdmc_explicit_sphere *spheres;
     double contact_distance, contact_stiffness;
     double damping, bond_damping; // force time / length^4, time / length
+    int load_steps;            // of a quasi-static problem; 0 of one in motion
+    double load_ends[2];       // 0, and the last load
+    double rest_tolerance;     // of the residual
+    int most_relaxation_steps; // of a relaxation
     double duration;
     bool has_step; // otherwise `safety` times the stable one
     double step, safety;

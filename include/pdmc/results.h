@@ -12,8 +12,9 @@ typedef enum {
     PDMC_RUN_TARGET_MET, // complete, with the precision that was asked for
     PDMC_RUN_SAMPLE_CAP, // complete, but the most samples allowed did not reach it
     PDMC_RUN_NOT_FINITE, // an explicit study stopped where a position would not have been finite
+    PDMC_RUN_NO_REST,    // a quasi-static study stopped where bodies did not come to rest
 } pdmc_run_status;
-enum { PDMC_RUN_STATUSES = 5 };
+enum { PDMC_RUN_STATUSES = 6 };
 PDMC_API extern const char *const pdmc_run_status_names[PDMC_RUN_STATUSES]; // "complete", "interrupted", ...
 
 /// Why a sample has no result. Failed samples are counted and listed, never dropped.
@@ -167,18 +168,19 @@ typedef struct {
     char name[PDMC_LONG_NAME_SIZE];
 } pdmc_condition_record;
 
-/// The motion of an explicit study: N records, T tips, S spheres, C conditions, n nodes, K snapshots. Without errors of the
+/// The motion of an explicit study, or the states of rest of a quasi-static one: N records, T tips, S spheres, C conditions, n nodes, K snapshots. Without errors of the
 /// second order in the step, kinetic + elastic + fracture + contact + dissipated = first + work.
 typedef struct {
     int dimension;
     double spacing, horizon, step, stable_step, steps, bonds; // bonds: pairs at the start, without cracks
     double tip_damage, speed_window;
     char *kernel; // that computed the forces
-    char *stop;   // why it stopped, where the status is PDMC_RUN_NOT_FINITE; "" or NULL otherwise
+    char *stop;   // why it stopped, where the status is PDMC_RUN_NOT_FINITE or _NO_REST; "" or NULL otherwise
 
     int record_count;                                                    // N
     double *time, *kinetic, *elastic, *contact, *fracture, *work;        // [N]
-    double *dissipated;                                                  // [N] by damping
+    double *dissipated;                                                  // [N] by damping, or where bonds broke at rest
+    double *residual, *relaxation_steps, *breakages; // [N] of the loads of a quasi-static study, whose `time` is the load
     double *momentum;                                                    // [N, 3] force time
     double *mean_damage, *broken;                                        // [N] broken: bonds, as numbers of the file
     double *fragments, *loose_nodes;                                     // [N] pieces of two nodes or more; single nodes

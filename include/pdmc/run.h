@@ -12,16 +12,17 @@ typedef struct {
     double bytes, seconds; // of memory and of wall time, within a factor of two or so
 } pdmc_cost;
 
-/// What an explicit study will cost: upper bounds of its nodes, bonds and steps, with memory and wall time from them.
+/// What an explicit or a quasi-static study will cost: upper bounds of its nodes, bonds and steps, with memory and wall time from them.
 typedef struct {
     double nodes, bonds, steps;
     double bytes, seconds;
 } pdmc_explicit_cost;
 
 /// Discretises the problem and solves for the mean; then solves for every sample and summarises, or integrates the
-/// motion of a dynamic study and records it step by step; or moves the bodies of an explicit one.
+/// motion of a dynamic study and records it step by step; or moves the bodies of an explicit one, or brings those of a
+/// quasi-static one to rest.
 /// @param[out] results  free with pdmc_results_clear(); zero on failure
-/// `options->progress` counts samples, or the time steps of a dynamic or explicit study; it is called with 0 done as well, before
+/// `options->progress` counts samples, the time steps of a dynamic or explicit study, or the loads of a quasi-static one; it is called with 0 done as well, before
 /// and between what comes before them.
 /// @return PDMC_OK (also when stopped early, see pdmc_monte_carlo()), PDMC_ERR_INTERRUPTED when stopped before there is
 /// anything to save, or the failure of a step

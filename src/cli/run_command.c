@@ -21,11 +21,15 @@ static bool draws_samples(const pdmc_study *study)
 
 static pdmc_status read_study(const arguments *given, pdmc_study *study)
 {
+    static const char *const kinds[] = {[PDMC_STATIC] = "a static",
+                                        [PDMC_DYNAMIC] = "a dynamic",
+                                        [PDMC_EXPLICIT] = "an explicit",
+                                        [PDMC_QUASI_STATIC] = "a quasi-static"};
     pdmc_status status = pdmc_study_read(given->input, study);
     if (status != PDMC_OK) return status;
     if (!draws_samples(study) && (given->has_seed || given->samples > 0) && !given->quiet)
         fprintf(stderr, "pdmc: warning: %s study draws no samples, their number and seed change nothing\n",
-                study->problem.kind == PDMC_DYNAMIC ? "a dynamic" : "this explicit");
+                study->problem.kind == PDMC_EXPLICIT ? "this explicit" : kinds[study->problem.kind]);
     if (given->has_seed) study->problem.sampling.seed = given->seed;
     if (given->has_seed) status = pdmc_study_resolve(study);
     if (given->samples > 0 && status == PDMC_OK && draws_samples(study))
@@ -50,9 +54,10 @@ static void print_results(const pdmc_results *results, const char *path)
 }
 
 // What a run counts.
-static const char *counted(bool draws)
+static const char *counted(pdmc_problem_kind kind, bool draws)
 {
-    return draws ? "samples" : "time steps";
+    if (draws) return "samples";
+    return kind == PDMC_QUASI_STATIC ? "loads" : "time steps";
 }
 
 // An explicit study with random quantities moves once at its means before it counts samples.
@@ -67,6 +72,7 @@ static int count_done(const pdmc_results *results)
     switch (results->kind) {
     case PDMC_STATIC: return results->sample_count;
     case PDMC_DYNAMIC: return results->motion.time_count - 1;
+    case PDMC_QUASI_STATIC: return results->particles.record_count - 1;
     case PDMC_EXPLICIT: break;
     }
     return has_samples(results) ? results->ensemble.sample_count : (int)results->particles.steps;
@@ -79,12 +85,13 @@ static void tell_interruption(const pdmc_results *results, const char *path)
                 results->sample_count, path);
     else
         fprintf(stderr, "pdmc: interrupted: the first %d %s are saved in %s\n", count_done(results),
-                counted(has_samples(results)), path);
+                counted(results->kind, has_samples(results)), path);
 }
 
 static int tell_stop(const pdmc_results *results, const char *path)
 {
-    fprintf(stderr, "pdmc: %s; the steps until then are saved in %s\n", results->particles.stop, path);
+    fprintf(stderr, "pdmc: %s; the %s until then are saved in %s\n", results->particles.stop,
+            results->kind == PDMC_QUASI_STATIC ? "loads" : "steps", path);
     return EX_DATAERR;
 }
 
@@ -94,7 +101,7 @@ static int write_results(const arguments *given, const pdmc_results *results, co
     if (status != PDMC_OK) return fail(status);
     if (!given->quiet) print_results(results, path);
     if (results->status == PDMC_RUN_SAMPLE_CAP) return EXIT_SAMPLE_CAP;
-    if (results->status == PDMC_RUN_NOT_FINITE) return tell_stop(results, path);
+    if (results->status == PDMC_RUN_NOT_FINITE || results->status == PDMC_RUN_NO_REST) return tell_stop(results, path);
     if (results->status != PDMC_RUN_INTERRUPTED) return EX_OK;
     tell_interruption(results, path);
     return EX_TEMPFAIL;
@@ -111,7 +118,7 @@ static void warn_of_memory(double bytes)
 
 static double bytes_of(const pdmc_study *study, int threads)
 {
-    if (study->problem.kind == PDMC_EXPLICIT) return pdmc_run_ensemble_cost(study, threads).bytes;
+    if (pdmc_is_of_bodies(study->problem.kind)) return pdmc_run_ensemble_cost(study, threads).bytes;
     return pdmc_run_cost(&study->problem, threads).bytes;
 }
 
@@ -122,7 +129,7 @@ static int run_study(const arguments *given, const pdmc_study *study, const char
     const pdmc_run_options options = {
         .threads = given->threads, .progress = progress_show, .round = progress_round, .context = &state};
     if (!given->quiet) warn_of_memory(bytes_of(study, options.threads));
-    progress_start(given->quiet, counted(draws_samples(study)), &state);
+    progress_start(given->quiet, counted(study->problem.kind, draws_samples(study)), &state);
     const pdmc_status status = pdmc_run(study, &options, &results);
     progress_end(&state);
     const int code = status == PDMC_OK ? write_results(given, &results, path) : fail(status);
@@ -169,6 +176,15 @@ static pdmc_status check_plate(const pdmc_study *study, int threads)
     return PDMC_OK;
 }
 
+static void print_steps(const pdmc_explicit *motion, const pdmc_particles *particles)
+{
+    const double step = pdmc_particles_step_size(particles);
+    if (motion->load_steps > 0) printf("%d loads, where no bond breaks; more where some do", motion->load_steps);
+    else
+        printf("%.0f steps of %.4g, stable up to %.4g", ceil(motion->duration / step * (1.0 - 1e-9)), step,
+               pdmc_particles_stable_step(particles));
+}
+
 // What the engine would refuse is found by placing the nodes.
 static pdmc_status check_explicit(const pdmc_study *study, int threads)
 {
@@ -176,10 +192,9 @@ static pdmc_status check_explicit(const pdmc_study *study, int threads)
     pdmc_particles *particles = NULL;
     const pdmc_status status = pdmc_explicit_particles(&study->motion, threads, &particles);
     if (status != PDMC_OK) return status;
-    printf("%s\n# %d nodes, %.0f bonds, %.0f steps of %.4g, stable up to %.4g", study->resolved,
-           pdmc_particles_count(particles), (double)pdmc_particles_bonds(particles),
-           ceil(study->motion.duration / pdmc_particles_step_size(particles) * (1.0 - 1e-9)),
-           pdmc_particles_step_size(particles), pdmc_particles_stable_step(particles));
+    printf("%s\n# %d nodes, %.0f bonds, ", study->resolved, pdmc_particles_count(particles),
+           (double)pdmc_particles_bonds(particles));
+    print_steps(&study->motion, particles);
     if (draws_samples(study)) printf(", %d samples", study->problem.sampling.samples);
     print_cost_and_threads(cost.bytes, cost.seconds, threads);
     pdmc_particles_destroy(particles);
@@ -190,8 +205,8 @@ int check_command(const arguments *given)
 {
     pdmc_study study = {0};
     pdmc_status status = read_study(given, &study);
-    const bool is_explicit = study.problem.kind == PDMC_EXPLICIT;
-    if (status == PDMC_OK) status = (is_explicit ? check_explicit : check_plate)(&study, given->threads);
+    const bool is_of_bodies = pdmc_is_of_bodies(study.problem.kind);
+    if (status == PDMC_OK) status = (is_of_bodies ? check_explicit : check_plate)(&study, given->threads);
     if (status == PDMC_OK && !given->quiet) warn_of_memory(bytes_of(&study, given->threads));
     pdmc_study_clear(&study);
     return status == PDMC_OK ? EX_OK : fail(status);

@@ -40,7 +40,7 @@ pdmc_status pdmc_identity_write(hid_t file, const pdmc_results *results)
     PDMC_TRY(write_integers(file, "pdmc_version", 3, program));
     PDMC_TRY(pdmc_h5_write_text(file, "rng", "Philox4x64-10"));
     PDMC_TRY(write_integers(file, "ranks", 0, &ranks));
-    if (results->kind != PDMC_EXPLICIT) PDMC_TRY(write_levels(file));
+    if (!pdmc_is_of_bodies(results->kind)) PDMC_TRY(write_levels(file));
 
 done:
     return status;

@@ -4,7 +4,8 @@
 #include <string.h>
 
 #define MOTION "/motion/" // the group that only dynamic studies have
-#define EXPLICIT "/explicit/" // ... and that only explicit ones have
+#define EXPLICIT "/explicit/" // ... and that only explicit and quasi-static ones have
+#define REST EXPLICIT "rest/" // ... and only the latter
 #define PEAK_MEMORY "/runtime/peak_memory"
 #define REPLICATES "/statistics/replicates"
 #define GIVEN_REST "/samples/growth_given_rest"
@@ -156,7 +157,7 @@ const pdmc_dataset pdmc_datasets[] = {
     RECORD(contact, WORK, "energy of contact"),
     RECORD(fracture, WORK, "energy of the bonds that broke, at that moment"),
     RECORD(work, WORK, "work of conditions and of spheres that keep their velocity"),
-    RECORD(dissipated, WORK, "energy that damping took"),
+    RECORD(dissipated, WORK, "energy that damping took, or that was lost where bonds broke at rest"),
     RECORD(mean_damage, NONE, "mean over the nodes of the share of bonds that are broken"),
     RECORD(broken, NONE, "bonds that are broken, those that cracks cut included"),
     RECORD(fragments, NONE, "pieces of two nodes or more that bonds hold together"),
@@ -164,6 +165,10 @@ const pdmc_dataset pdmc_datasets[] = {
     RECORD(largest_fragment, MASS, "mass of the largest piece"),
     REALS(EXPLICIT "records/momentum", particles.momentum, MOMENTUM, "momentum of all nodes", PDMC_DIM_RECORD,
           PDMC_DIM_AXIS),
+    REALS(REST "residual", particles.residual, NONE, "forces out of balance over the largest external ones, as norms",
+          PDMC_DIM_RECORD),
+    REALS(REST "relaxation_steps", particles.relaxation_steps, NONE, "steps of dynamic relaxation", PDMC_DIM_RECORD),
+    REALS(REST "breakages", particles.breakages, NONE, "times that bonds broke before all was at rest", PDMC_DIM_RECORD),
     NUMBER(EXPLICIT "records/first_kinetic", REAL, particles.first, WORK, "kinetic energy at the start"),
     FOLLOWED("name", NAME, name, NONE, "crack and end", 1, PDMC_DIM_END),
     FOLLOWED("position", REAL, position, LENGTH, "where the crack ends at the start", 2, PDMC_DIM_COORDINATE),
@@ -361,9 +366,10 @@ const size_t pdmc_dataset_count = COUNT(pdmc_datasets);
 const char *const pdmc_run_status_names[] = {
     [PDMC_RUN_COMPLETE] = "complete", [PDMC_RUN_INTERRUPTED] = "interrupted",
     [PDMC_RUN_TARGET_MET] = "target_met", [PDMC_RUN_SAMPLE_CAP] = "sample_cap",
-    [PDMC_RUN_NOT_FINITE] = "not_finite"};
+    [PDMC_RUN_NOT_FINITE] = "not_finite", [PDMC_RUN_NO_REST] = "no_rest"};
 static const char *const kind_names[] = {
-    [PDMC_STATIC] = "static", [PDMC_DYNAMIC] = "dynamic", [PDMC_EXPLICIT] = "explicit"};
+    [PDMC_STATIC] = "static", [PDMC_DYNAMIC] = "dynamic", [PDMC_EXPLICIT] = "explicit",
+    [PDMC_QUASI_STATIC] = "quasi_static"};
 static const char *const bond_names[] = {[PDMC_BONDS_ALL] = "all", [PDMC_BONDS_TENSILE] = "tensile"};
 
 #define ATTRIBUTE(object, kind, name, member) {object, name, PDMC_ATTRIBUTE_##kind, MEMBER(member), NULL, 0}
@@ -469,14 +475,15 @@ static bool is_in(const char *path, const char *group)
 bool pdmc_dataset_belongs(const pdmc_results *results, const pdmc_dataset *dataset)
 {
     const bool is_explicit = is_in(dataset->path, EXPLICIT);
-    if (results->kind == PDMC_EXPLICIT) return is_explicit || is_in(dataset->path, "/runtime/");
+    if (is_in(dataset->path, REST) && results->kind != PDMC_QUASI_STATIC) return false;
+    if (pdmc_is_of_bodies(results->kind)) return is_explicit || is_in(dataset->path, "/runtime/");
     return !is_explicit && (results->kind == PDMC_DYNAMIC || !is_in(dataset->path, MOTION));
 }
 
 bool pdmc_attribute_belongs(const pdmc_results *results, const pdmc_attribute *attribute)
 {
     if (strcmp(attribute->object, "/") == 0) return true;
-    return is_in(attribute->object, EXPLICIT) == (results->kind == PDMC_EXPLICIT);
+    return is_in(attribute->object, EXPLICIT) == pdmc_is_of_bodies(results->kind);
 }
 
 bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset)

@@ -78,7 +78,8 @@ static pdmc_status check_counts(const pdmc_results *results, pdmc_status code)
 static pdmc_status check_arrays(const pdmc_results *results, pdmc_status code)
 {
     for (size_t i = 0; i < pdmc_dataset_count; i++)
-        if (pdmc_dataset_size(results, &pdmc_datasets[i]) > 0 && !pdmc_dataset_memory(results, &pdmc_datasets[i]))
+        if (pdmc_dataset_belongs(results, &pdmc_datasets[i]) &&
+            pdmc_dataset_size(results, &pdmc_datasets[i]) > 0 && !pdmc_dataset_memory(results, &pdmc_datasets[i]))
             return pdmc_raise(code, "%s: the array is missing", pdmc_datasets[i].path);
     return PDMC_OK;
 }

@@ -158,7 +158,7 @@ static pdmc_status write_everything(hid_t file, const pdmc_results *results)
         if (pdmc_attribute_belongs(results, &pdmc_attributes[i]))
             PDMC_TRY(write_attribute(file, results, &pdmc_attributes[i]));
     PDMC_TRY(pdmc_identity_write(file, results));
-    if (results->kind == PDMC_EXPLICIT) PDMC_TRY(pdmc_vtkhdf_write(file, &results->particles));
+    if (pdmc_is_of_bodies(results->kind)) PDMC_TRY(pdmc_vtkhdf_write(file, &results->particles));
     if (isnan(results->runtime.output)) PDMC_TRY(write_output_time(file, pdmc_seconds() - start));
 
 done:

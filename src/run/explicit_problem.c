@@ -92,6 +92,8 @@ pdmc_explicit_amounts pdmc_explicit_count(const pdmc_explicit *problem)
     double nodes = 0.0;
     for (int i = 0; i < problem->body_count; i++) nodes += pdmc_explicit_nodes(problem, &problem->bodies[i].body);
     const neighbour_sums sums = sum_neighbours(problem);
+    if (problem->load_steps > 0)
+        return (pdmc_explicit_amounts){.nodes = nodes, .bonds = 0.5 * sums.count * nodes, .steps = problem->load_steps};
     const double step = problem->has_step ? problem->step : problem->safety * stable_step(problem, &sums);
     return (pdmc_explicit_amounts){
         .nodes = nodes, .bonds = 0.5 * sums.count * nodes, .steps = ceil(problem->duration / step * (1.0 - 1e-9))};
@@ -127,11 +129,19 @@ static pdmc_brittle_material material_of(const pdmc_explicit *p, const pdmc_expl
     return law;
 }
 
-static pdmc_layer_condition condition_of(const pdmc_explicit_condition *c, const pdmc_explicit_sample *sample)
+// Without times a condition is constant in a motion, and grows evenly with the load otherwise.
+static pdmc_history default_history(const pdmc_explicit *p)
 {
-    static const double start = 0.0, always = 1.0;
+    static const double start = 0.0, always = 1.0, ramp[] = {0.0, 1.0};
+    if (p->load_steps == 0) return (pdmc_history){1, &start, &always};
+    return (pdmc_history){2, p->load_ends, ramp};
+}
+
+static pdmc_layer_condition condition_of(const pdmc_explicit *p, const pdmc_explicit_condition *c,
+                                         const pdmc_explicit_sample *sample)
+{
     pdmc_layer_condition layer = c->layer;
-    if (layer.history.count == 0) layer.history = (pdmc_history){1, &start, &always};
+    if (layer.history.count == 0) layer.history = default_history(p);
     for (int k = 0; k < PDMC_AXES; k++) {
         layer.value[k] *= sample->load;
         for (int j = 0; j < PDMC_AXES; j++) layer.gradient[k][j] *= sample->load;
@@ -147,7 +157,7 @@ static pdmc_status fill_lists(const pdmc_explicit *p, const pdmc_explicit_sample
     PDMC_NEW(l->conditions, p->condition_count);
     PDMC_NEW(l->spheres, p->sphere_count);
     for (int i = 0; i < p->material_count; i++) l->materials[i] = material_of(p, &p->materials[i], sample);
-    for (int i = 0; i < p->condition_count; i++) l->conditions[i] = condition_of(&p->conditions[i], sample);
+    for (int i = 0; i < p->condition_count; i++) l->conditions[i] = condition_of(p, &p->conditions[i], sample);
     for (int i = 0; i < p->body_count; i++) {
         l->bodies[i] = p->bodies[i].body;
         for (int k = 0; k < PDMC_AXES; k++) l->bodies[i].velocity[k] *= sample->velocity;
@@ -191,7 +201,7 @@ static pdmc_particles_options options_of(const pdmc_explicit *p, const pdmc_expl
         .damping = p->damping,
         .bond_damping = p->bond_damping,
         .step = p->has_step ? p->step : 0.0,
-        .safety = p->safety,
+        .safety = p->load_steps > 0 ? 1.0 : p->safety, // of the steps that nothing at rest takes
         .threads = threads,
     };
 }

@@ -244,7 +244,7 @@ static pdmc_status keep_fragments(pdmc_recorder *r)
 {
     pdmc_status status = PDMC_OK;
     pdmc_explicit_record *record = r->record;
-    const size_t n = (size_t)record->node_count, at = (size_t)(record->snapshot_count - 1) * n;
+    const size_t n = (size_t)record->node_count, at = (size_t)record->snapshot_count * n;
     pdmc_free(record->fragment_list);
     record->fragment_count = 0;
     PDMC_NEW(record->fragment_list, r->pieces);
@@ -255,12 +255,27 @@ done:
     return status;
 }
 
+void pdmc_recorder_count_state(pdmc_recorder *r)
+{
+    if (!r->is_kept) return;
+    r->is_kept = false;
+    r->record->snapshot_count++;
+    r->record->state_count = r->record->snapshot_count * r->record->node_count;
+}
+
 pdmc_status pdmc_recorder_take_snapshot(pdmc_recorder *r)
 {
+    const pdmc_status status = pdmc_recorder_keep_state(r);
+    if (status == PDMC_OK) pdmc_recorder_count_state(r);
+    return status;
+}
+
+pdmc_status pdmc_recorder_keep_state(pdmc_recorder *r)
+{
     pdmc_explicit_record *record = r->record;
-    const size_t at = (size_t)record->snapshot_count++ * (size_t)record->node_count;
-    record->snapshot_time[record->snapshot_count - 1] = pdmc_particles_time(r->particles);
-    record->state_count = record->snapshot_count * record->node_count;
+    const size_t at = (size_t)record->snapshot_count * (size_t)record->node_count;
+    r->is_kept = true;
+    record->snapshot_time[record->snapshot_count] = pdmc_particles_time(r->particles);
     pdmc_particles_state(r->particles, &record->displacement[PDMC_AXES * at], &record->velocity[PDMC_AXES * at],
                          &record->damage[at]);
     return r->tips_alone ? PDMC_OK : keep_fragments(r);

@@ -17,6 +17,7 @@ typedef struct {
     double *damage; // [nodes]
     int *piece;     // [nodes] that they are in, as of the last record
     int pieces;
+    bool is_kept; // whether there is a state after the last snapshot
     pdmc_rigid_sphere *spheres;
 } pdmc_recorder;
 
@@ -29,5 +30,8 @@ void pdmc_recorder_clear(pdmc_recorder *recorder);
 PDMC_NODISCARD pdmc_status pdmc_recorder_take_record(pdmc_recorder *recorder);
 /// Keeps the state of all nodes.
 PDMC_NODISCARD pdmc_status pdmc_recorder_take_snapshot(pdmc_recorder *recorder);
+/// Keeps it in the next snapshot's place, until there is another one; and makes it that snapshot, if it is not yet.
+PDMC_NODISCARD pdmc_status pdmc_recorder_keep_state(pdmc_recorder *recorder);
+void pdmc_recorder_count_state(pdmc_recorder *recorder);
 /// Whether a snapshot belongs to that record: they are as evenly spread as they can be, and the last record has one.
 bool pdmc_recorder_is_snapshot(const pdmc_recorder *recorder, int record);

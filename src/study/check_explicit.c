@@ -31,6 +31,29 @@ pdmc_status pdmc_study_check_particle_grid(const pdmc_study_reader *reader)
     return PDMC_OK;
 }
 
+// At rest there is no velocity.
+static pdmc_status refuse_motion(const pdmc_study_reader *reader)
+{
+    const pdmc_explicit *m = reader->motion;
+    for (int i = 0; i < m->condition_count; i++)
+        if (m->conditions[i].layer.kind == PDMC_CONDITION_VELOCITY)
+            return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_CONDITIONS, i, "prescribed"},
+                                     "\"velocity\" is not allowed in a quasi-static study, must be \"displacement\" or "
+                                     "\"force\"");
+    for (int i = 0; i < m->body_count; i++)
+        for (int a = 0; a < PDMC_AXES; a++)
+            if (m->bodies[i].body.velocity[a] != 0.0)
+                return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_BODIES, i, "velocity"},
+                                         "is not zero, must be in a quasi-static study");
+    return PDMC_OK;
+}
+
+pdmc_status pdmc_study_check_loading(const pdmc_study_reader *reader)
+{
+    reader->motion->load_ends[0] = 0.0;
+    return refuse_motion(reader);
+}
+
 pdmc_status pdmc_study_check_time(const pdmc_study_reader *reader)
 {
     const pdmc_explicit *m = reader->motion;
@@ -44,10 +67,20 @@ pdmc_status pdmc_study_check_time(const pdmc_study_reader *reader)
     return PDMC_OK;
 }
 
+// A quasi-static study records every load.
+static pdmc_status check_record_of_loads(const pdmc_study_reader *reader)
+{
+    const char *key = reader->motion->has_interval ? "interval" : "speed_window";
+    if (!reader->motion->has_interval && !reader->motion->has_speed_window) return PDMC_OK;
+    return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RECORD, -1, key},
+                             "is no setting of a quasi-static study, which has no time");
+}
+
 pdmc_status pdmc_study_check_record(const pdmc_study_reader *reader)
 {
     pdmc_explicit *m = reader->motion;
     const double record_limit = 1e6;
+    if (reader->problem->kind == PDMC_QUASI_STATIC) return check_record_of_loads(reader);
     if (!m->has_interval) m->interval = m->duration / 100.0;
     if (!m->has_speed_window) m->speed_window = 10.0 * m->interval;
     m->has_interval = m->has_speed_window = true;

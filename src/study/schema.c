@@ -24,6 +24,7 @@
     .size = sizeof(type), .items = offsetof(pdmc_explicit, field), .count = offsetof(pdmc_explicit, length)
 #define OF_SAMPLES .kinds = ONLY(PDMC_STATIC) | ONLY(PDMC_EXPLICIT)
 #define OF_PLATES .kinds = ONLY(PDMC_STATIC) | ONLY(PDMC_DYNAMIC)
+#define OF_BODIES .kinds = ONLY(PDMC_EXPLICIT) | ONLY(PDMC_QUASI_STATIC)
 #define WHERE(key, bits) .of = (key), .values = (bits)
 #define PLANE ONLY(2)
 #define BOX ONLY(PDMC_SHAPE_BOX)
@@ -113,23 +114,23 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
     [SECTION_CONTROL] = {.name = "control", OF(PDMC_STATIC), .check = pdmc_study_check_control,
                          .doc = "samples of a cheaper method with the same random numbers, by which those of the study know "
                                 "means and P(G > G_c) better"},
-    [SECTION_PARTICLE_GRID] = {.name = "grid", .doc = "of an explicit study: its nodes and how far their bonds reach",
-                               OF(PDMC_EXPLICIT), .check = pdmc_study_check_particle_grid},
-    [SECTION_PARTICLE_MATERIALS] = {.name = "materials", OF(PDMC_EXPLICIT),
-                                    .doc = "of an explicit study: list of the bonds' laws, each with one of the moduli",
+    [SECTION_PARTICLE_GRID] = {.name = "grid", .doc = "of bodies of bonds: its nodes and how far their bonds reach",
+                               OF_BODIES, .check = pdmc_study_check_particle_grid},
+    [SECTION_PARTICLE_MATERIALS] = {.name = "materials", OF_BODIES,
+                                    .doc = "of bodies of bonds: list of the bonds' laws, each with one of the moduli",
                                     PARTICLE_LIST(pdmc_explicit_material, materials, material_count),
                                     .check = pdmc_study_check_particle_materials},
-    [SECTION_BODIES] = {.name = "bodies", OF(PDMC_EXPLICIT),
-                        .doc = "of an explicit study: list of what is held together by bonds; they may touch, but not "
+    [SECTION_BODIES] = {.name = "bodies", OF_BODIES,
+                        .doc = "of bodies of bonds: list of what is held together by bonds; they may touch, but not "
                                "overlap",
                         PARTICLE_LIST(pdmc_explicit_body, bodies, body_count), .check = pdmc_study_check_bodies},
-    [SECTION_PLANAR_CRACKS] = {.name = "cracks", OF(PDMC_EXPLICIT),
-                               .doc = "of an explicit study: list of surfaces whose bonds are broken at the start; the "
+    [SECTION_PLANAR_CRACKS] = {.name = "cracks", OF_BODIES,
+                               .doc = "of bodies of bonds: list of surfaces whose bonds are broken at the start; the "
                                       "tips of a segment, <name>.from and .to, are followed",
                                PARTICLE_LIST(pdmc_planar_crack, cracks, crack_count),
                                .check = pdmc_study_check_planar_cracks},
-    [SECTION_CONDITIONS] = {.name = "conditions", OF(PDMC_EXPLICIT),
-                            .doc = "of an explicit study: list of velocities, forces or displacements prescribed in layers "
+    [SECTION_CONDITIONS] = {.name = "conditions", OF_BODIES,
+                            .doc = "of bodies of bonds: list of velocities, forces or displacements prescribed in layers "
                                    "of nodes",
                             PARTICLE_LIST(pdmc_explicit_condition, conditions, condition_count),
                             .check = pdmc_study_check_conditions},
@@ -141,12 +142,14 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
     [SECTION_DAMPING] = {.name = "damping", .doc = "of an explicit study: linear and viscous", OF(PDMC_EXPLICIT)},
     [SECTION_TIME] = {.name = "time", .doc = "of an explicit study: how long, in which steps", OF(PDMC_EXPLICIT),
                       .check = pdmc_study_check_time},
-    [SECTION_RECORD] = {.name = "record", .doc = "of an explicit study: what is kept", OF(PDMC_EXPLICIT),
+    [SECTION_LOADING] = {.name = "loading", OF(PDMC_QUASI_STATIC), .check = pdmc_study_check_loading,
+                         .doc = "of a quasi-static study: loads from 0 on, each brought to rest by dynamic relaxation"},
+    [SECTION_RECORD] = {.name = "record", .doc = "of bodies of bonds: what is kept", OF_BODIES,
                         .check = pdmc_study_check_record},
 };
 
 // In the order of the enumerations in pdmc/problem.h.
-#define STUDY_KINDS CHOICES("static", "dynamic", "explicit")
+#define STUDY_KINDS CHOICES("static", "dynamic", "explicit", "quasi_static")
 #define ASSUMPTIONS CHOICES("plane_stress", "plane_strain")
 #define SIDES CHOICES("left", "right", "bottom", "top")
 #define FACES CHOICES("none", "left", "right")
@@ -179,8 +182,8 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 
 const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_TOP, "kind", KIND_CHOICE, .offset = IN_PROBLEM(kind), .choices = STUDY_KINDS, .fallback = "static",
-     .doc = "equilibrium and energy release rates; motion under a history of the load; or motion with growing cracks, "
-            "impact and contact"},
+     .doc = "equilibrium and energy release rates; motion under a history of the load; motion with growing cracks, "
+            "impact and contact; or growing cracks under loads so slow that bodies are at rest"},
     {SECTION_TOP, "title", KIND_TEXT, .offset = IN_PROBLEM(title), .fallback = "untitled",
      .doc = "what the study is about, for headings"},
     {SECTION_TOP, "seed", KIND_SEED, .range = NOT_NEGATIVE, .offset = IN_PROBLEM(sampling.seed), .fallback = "1",
@@ -494,11 +497,12 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_CONDITIONS, "times", KIND_REALS, UNIT_TIME, NOT_NEGATIVE,
      offsetof(pdmc_explicit_condition, layer.history.time),
      .flag = offsetof(pdmc_explicit_condition, layer.history.count), .fallback = "none",
-     .doc = "[t1, t2, ...] ascending, of the factors; two that are equal are a jump"},
+     .doc = "[t1, t2, ...] ascending, of the factors; two that are equal are a jump; loads in a quasi-static study"},
     {SECTION_CONDITIONS, "factors", KIND_REALS, .range = ANY,
      .offset = offsetof(pdmc_explicit_condition, layer.history.factor),
      .flag = offsetof(pdmc_explicit_condition, factor_count), .fallback = "none",
-     .doc = "[f1, f2, ...] on the components at these times, linear in between, constant outside; 1 without any"},
+     .doc = "[f1, f2, ...] on the components at these times, linear in between, constant outside; without any 1, and from 0 "
+            "to 1 at the last load in a quasi-static study"},
 
     {SECTION_SPHERES, "name", KIND_NAME, .offset = offsetof(pdmc_explicit_sphere, sphere.name),
      .fallback = "sphere1, sphere2, ...", .doc = "each name once"},
@@ -531,11 +535,20 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_TIME, "safety", KIND_REAL, .range = ABOVE_TO(0.0, 1.0), .offset = IN_MOTION(safety), .fallback = "0.8",
      .doc = "the step over the largest stable one"},
 
+    {SECTION_LOADING, "steps", KIND_INT, .range = FROM_TO(1, 1000000), .offset = IN_MOTION(load_steps), .fallback = "20",
+     .doc = "loads, evenly spread; a crack grows at each until no bond breaks"},
+    {SECTION_LOADING, "end", KIND_REAL, .range = POSITIVE, .offset = IN_MOTION(load_ends[1]), .fallback = "1.0",
+     .doc = "the last load, a number that the conditions' times are of"},
+    {SECTION_LOADING, "tolerance", KIND_REAL, .range = {0.0, 0.1, true, false}, .offset = IN_MOTION(rest_tolerance),
+     .fallback = "1e-4", .doc = "of the forces out of balance, over the largest external ones so far, as norms"},
+    {SECTION_LOADING, "most_steps", KIND_INT, .range = FROM_TO(1, 1000000000), .offset = IN_MOTION(most_relaxation_steps),
+     .fallback = "100000", .doc = "of a relaxation, after which the run stops"},
+
     {SECTION_RECORD, "interval", KIND_OPTIONAL, UNIT_TIME, POSITIVE, IN_MOTION(interval),
      .flag = IN_MOTION(has_interval), .fallback = "duration / 100",
      .doc = "from record to record of energies, tips and spheres, in whole steps"},
     {SECTION_RECORD, "snapshots", KIND_INT, .range = FROM_TO(1, 100000), .offset = IN_MOTION(snapshots),
-     .fallback = "10", .doc = "of displacement, velocity and damage of all nodes, evenly over the records, the end included"},
+     .fallback = "10", .doc = "of displacement, velocity and damage of all nodes, evenly over the records or loads, the end included"},
     {SECTION_RECORD, "tip_damage", KIND_REAL, .range = {0.0, 1.0, true, true}, .offset = IN_MOTION(tip_damage),
      .fallback = "0.3", .doc = "damage of a node that a crack has reached"},
     {SECTION_RECORD, "speed_window", KIND_OPTIONAL, UNIT_TIME, POSITIVE, IN_MOTION(speed_window),
@@ -599,7 +612,8 @@ bool pdmc_study_setting_of_kind(const pdmc_study_setting *setting, pdmc_problem_
 
 void *pdmc_study_home(const pdmc_study_section *section, const pdmc_problem *problem, const pdmc_explicit *motion)
 {
-    return section->kinds == ONLY(PDMC_EXPLICIT) ? (void *)motion : (void *)problem;
+    const unsigned of_bodies = ONLY(PDMC_EXPLICIT) | ONLY(PDMC_QUASI_STATIC);
+    return section->kinds != 0 && (section->kinds & ~of_bodies) == 0 ? (void *)motion : (void *)problem;
 }
 
 bool pdmc_study_section_belongs(const pdmc_study_section *section, pdmc_problem_kind kind)

@@ -76,6 +76,7 @@ typedef enum {
     SECTION_CONTACT,
     SECTION_DAMPING,
     SECTION_TIME,
+    SECTION_LOADING,
     SECTION_RECORD,
     SECTIONS
 } pdmc_study_section_id;
@@ -318,5 +319,7 @@ PDMC_NODISCARD pdmc_status pdmc_study_check_bodies(const pdmc_study_reader *read
 PDMC_NODISCARD pdmc_status pdmc_study_check_planar_cracks(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_conditions(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_spheres(const pdmc_study_reader *reader);
+/// Refuses what moves in a quasi-static study; gives the loads their first one, 0.
+PDMC_NODISCARD pdmc_status pdmc_study_check_loading(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_time(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_record(const pdmc_study_reader *reader);

@@ -24,8 +24,9 @@ pdmc_status pdmc_comparison_check(const pdmc_comparison *c)
 {
     const pdmc_results *a = c->results[0], *b = c->results[1];
     for (int i = 0; i < PDMC_COMPARED; i++)
-        if (c->results[i]->kind == PDMC_EXPLICIT)
-            return pdmc_raise(PDMC_ERR_DATA, "%s is of an explicit study, which is not compared yet", c->labels[i]);
+        if (pdmc_is_of_bodies(c->results[i]->kind))
+            return pdmc_raise(PDMC_ERR_DATA, "%s is of %s study, which is not compared yet", c->labels[i],
+                              c->results[i]->kind == PDMC_EXPLICIT ? "an explicit" : "a quasi-static");
     if (a->kind != b->kind)
         return pdmc_raise(PDMC_ERR_DATA, "%s is of a %s study and %s of a %s one", c->labels[0], kind_name(a),
                           c->labels[1], kind_name(b));

@@ -22,7 +22,8 @@ static void put_header(const pdmc_results *r, FILE *stream)
     char unit[PDMC_UNIT_SIZE], velocity[PDMC_UNIT_SIZE], column[COLUMN_SIZE];
     pdmc_results_unit(r, PDMC_UNIT_WORK, sizeof unit, unit);
     fprintf(stream, "record");
-    pdmc_csv_column(stream, "time", r->time_unit);
+    if (pdmc_is_at_rest(p)) fputs(",load", stream);
+    else pdmc_csv_column(stream, "time", r->time_unit);
     for (size_t i = 0; i < sizeof energies / sizeof energies[0]; i++) pdmc_csv_column(stream, energies[i], unit);
     pdmc_results_unit(r, PDMC_UNIT_MOMENTUM, sizeof unit, unit);
     put_axes(stream, "momentum", "", unit);
@@ -44,6 +45,7 @@ static void put_header(const pdmc_results *r, FILE *stream)
         put_axes(stream, p->conditions[c].name, ".force", r->force_unit);
         put_axes(stream, p->conditions[c].name, ".displacement", r->length_unit);
     }
+    if (pdmc_is_at_rest(p)) fputs(",residual,relaxation_steps,breakages", stream);
     fputc('\n', stream);
 }
 
@@ -74,6 +76,8 @@ pdmc_status pdmc_csv_records(const pdmc_results *results, FILE *stream)
             pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_condition(p, p->condition_force, i, c));
             pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_condition(p, p->condition_displacement, i, c));
         }
+        const double *const of_rest[] = {p->residual, p->relaxation_steps, p->breakages};
+        for (int k = 0; k < 3 && pdmc_is_at_rest(p); k++) pdmc_csv_number(stream, of_rest[k][i]);
         fputc('\n', stream);
     }
     return PDMC_OK;

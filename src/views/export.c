@@ -346,7 +346,7 @@ static bool is_wanted(const pdmc_results *r, const csv_file *file)
     const bool is_of_draws = file->write == write_draws || file->write == write_paths;
     if (file->write == write_energy_samples && !energies_are_few(r)) return false;
     if (is_of_draws && r->ensemble.sample_count == 0) return false;
-    return file->kind == r->kind;
+    return file->kind == (pdmc_is_of_bodies(r->kind) ? PDMC_EXPLICIT : r->kind);
 }
 
 pdmc_status pdmc_view_export(const pdmc_results *results, const char *folder)

@@ -227,7 +227,10 @@ static void put_plate(const pdmc_results *r, json_t **object)
 static json_t *everything(const pdmc_results *r)
 {
     static const char *const kinds[] = {
-        [PDMC_STATIC] = "static", [PDMC_DYNAMIC] = "dynamic", [PDMC_EXPLICIT] = "explicit"};
+        [PDMC_STATIC] = "static",
+        [PDMC_DYNAMIC] = "dynamic",
+        [PDMC_EXPLICIT] = "explicit",
+        [PDMC_QUASI_STATIC] = "quasi_static"};
     json_t *object = json_object();
     pdmc_json_put(&object, "kind", pdmc_json_text(kinds[r->kind]));
     pdmc_json_put(&object, "title", pdmc_json_text(r->title));
@@ -235,9 +238,9 @@ static json_t *everything(const pdmc_results *r)
     pdmc_json_put(&object, "pdmc_version", pdmc_json_text(r->pdmc_version));
     pdmc_json_put(&object, "git_sha1", pdmc_json_text(r->git_sha1));
     pdmc_json_put(&object, "status", pdmc_json_text(pdmc_run_status_names[r->status]));
-    if (r->kind != PDMC_EXPLICIT) put_samples(r, &object);
+    if (!pdmc_is_of_bodies(r->kind)) put_samples(r, &object);
     pdmc_json_put(&object, "units", pdmc_json_units(r));
-    if (r->kind == PDMC_EXPLICIT) pdmc_json_put(&object, "explicit", pdmc_json_explicit(&r->particles));
+    if (pdmc_is_of_bodies(r->kind)) pdmc_json_put(&object, kinds[r->kind], pdmc_json_explicit(&r->particles));
     else put_plate(r, &object);
     if (r->ensemble.sample_count > 0) pdmc_json_put(&object, "ensemble", pdmc_json_ensemble(r));
     pdmc_json_put(&object, "runtime", pdmc_json_runtime(&r->runtime));

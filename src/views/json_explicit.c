@@ -8,7 +8,7 @@ static json_t *records(const pdmc_explicit_record *p)
         const char *name;
         const double *values;
     } columns[] = {
-        {"time", p->time},
+        {pdmc_is_at_rest(p) ? "load" : "time", p->time},
         {"kinetic", p->kinetic},
         {"elastic", p->elastic},
         {"contact", p->contact},
@@ -17,13 +17,17 @@ static json_t *records(const pdmc_explicit_record *p)
         {"work", p->work},
         {"mean_damage", p->mean_damage},
         {"broken", p->broken},
+        {"residual", p->residual},
+        {"relaxation_steps", p->relaxation_steps},
+        {"breakages", p->breakages},
         {"fragments", p->fragments},
         {"loose_nodes", p->loose_nodes},
         {"largest_fragment", p->largest_fragment},
     };
     json_t *object = json_object(), *momentum = json_array();
     for (size_t i = 0; i < sizeof columns / sizeof columns[0]; i++)
-        pdmc_json_put(&object, columns[i].name, pdmc_json_numbers((size_t)p->record_count, columns[i].values));
+        if (columns[i].values)
+            pdmc_json_put(&object, columns[i].name, pdmc_json_numbers((size_t)p->record_count, columns[i].values));
     for (int i = 0; i < p->record_count; i++)
         pdmc_json_append(&momentum, pdmc_json_numbers(PDMC_AXES, &p->momentum[3 * i]));
     pdmc_json_put(&object, "momentum", momentum);
@@ -40,8 +44,10 @@ static json_t *tip(const pdmc_explicit_record *p, int t)
     pdmc_json_put(&object, "growth", pdmc_json_number(g.growth));
     pdmc_json_put(&object, "begin", pdmc_json_number(g.begin));
     pdmc_json_put(&object, "end", pdmc_json_number(g.end));
-    pdmc_json_put(&object, "mean_speed", pdmc_json_number(g.mean_speed));
-    pdmc_json_put(&object, "most_speed", pdmc_json_number(g.most_speed));
+    if (!pdmc_is_at_rest(p)) {
+        pdmc_json_put(&object, "mean_speed", pdmc_json_number(g.mean_speed));
+        pdmc_json_put(&object, "most_speed", pdmc_json_number(g.most_speed));
+    }
     for (int i = 0; i < p->record_count; i++) {
         pdmc_json_append(&advance, pdmc_json_number(pdmc_of_tip(p, p->tip_advance, i, t)));
         pdmc_json_append(&speed, pdmc_json_number(pdmc_of_tip(p, p->tip_speed, i, t)));
@@ -74,6 +80,13 @@ static json_t *condition(const pdmc_explicit_record *p, int c)
         pdmc_json_append(&force, pdmc_json_numbers(PDMC_AXES, pdmc_of_condition(p, p->condition_force, i, c)));
         pdmc_json_append(&displacement,
                          pdmc_json_numbers(PDMC_AXES, pdmc_of_condition(p, p->condition_displacement, i, c)));
+    }
+    if (pdmc_is_at_rest(p) && p->record_count > 0) {
+        const int at = pdmc_largest_force_at(p, c);
+        pdmc_json_put(&object, "largest_force",
+                      pdmc_json_number(pdmc_norm_of(pdmc_of_condition(p, p->condition_force, at, c))));
+        pdmc_json_put(&object, "displacement_at_largest_force",
+                      pdmc_json_number(pdmc_norm_of(pdmc_of_condition(p, p->condition_displacement, at, c))));
     }
     pdmc_json_put(&object, "force", force);
     pdmc_json_put(&object, "displacement", displacement);

@@ -13,6 +13,7 @@ typedef enum {
     OF_PLATE,
     OF_EXPLICIT_ENERGIES,
     OF_EXPLICIT_TIPS,
+    OF_LOAD_DISPLACEMENT,
     OF_EXPLICIT_DAMAGE,
     OF_EXPLICIT_FRAGMENTS,
     OF_EXPLICIT_MASSES,
@@ -32,6 +33,7 @@ static pdmc_status draw(const pdmc_results *r, subject of, int tip, pdmc_measure
     case OF_PLATE: pdmc_draw_plate(r, figure); break;
     case OF_EXPLICIT_ENERGIES: pdmc_draw_explicit_energies(r, figure); break;
     case OF_EXPLICIT_TIPS: pdmc_draw_explicit_tips(r, figure); break;
+    case OF_LOAD_DISPLACEMENT: pdmc_draw_load_displacement(r, figure); break;
     case OF_EXPLICIT_DAMAGE: return pdmc_draw_explicit_damage(r, figure);
     case OF_EXPLICIT_FRAGMENTS: return pdmc_draw_explicit_fragments(r, figure);
     case OF_GROWTH: pdmc_draw_growth(r, tip, figure); break;
@@ -123,6 +125,8 @@ static pdmc_status plot_explicit(const pdmc_results *r, const char *folder)
     pdmc_status status = PDMC_OK;
     const pdmc_explicit_record *p = &r->particles;
     PDMC_TRY(plot(r, folder, "energies", OF_EXPLICIT_ENERGIES, 0, r->measure));
+    if (p->residual && p->condition_count > 0)
+        PDMC_TRY(plot(r, folder, "load_displacement", OF_LOAD_DISPLACEMENT, 0, r->measure));
     if (p->tip_count > 0) PDMC_TRY(plot(r, folder, "tips", OF_EXPLICIT_TIPS, 0, r->measure));
     if (p->state_count > 0) PDMC_TRY(plot(r, folder, "damage", OF_EXPLICIT_DAMAGE, 0, r->measure));
     if (p->fragment_count > p->body_count) {
@@ -141,7 +145,7 @@ pdmc_status pdmc_view_plot(const pdmc_results *results, const char *folder)
     pdmc_locale locale;
     PDMC_TRY(pdmc_locale_plain(&locale));
     PDMC_TRY(pdmc_folder_make(folder));
-    PDMC_TRY((results->kind == PDMC_EXPLICIT ? plot_explicit : plot_plate)(results, folder));
+    PDMC_TRY((pdmc_is_of_bodies(results->kind) ? plot_explicit : plot_plate)(results, folder));
 
 done:
     pdmc_locale_restore(&locale);

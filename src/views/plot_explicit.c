@@ -18,7 +18,8 @@ static int stride(const pdmc_explicit_record *p)
 static void put_time_axis(const pdmc_results *r, const pdmc_figure *figure)
 {
     const pdmc_explicit_record *p = &r->particles;
-    pdmc_figure_label(figure, "xlabel", "Time (", r->time_unit, ")");
+    if (pdmc_is_at_rest(p)) pdmc_figure_label(figure, "xlabel", "Load", "", "");
+    else pdmc_figure_label(figure, "xlabel", "Time (", r->time_unit, ")");
     fprintf(figure->script, "set xrange [0:%.9g]\nset rmargin 9\nset key outside top center horizontal maxrows 2\n",
             p->record_count > 1 ? p->time[p->record_count - 1] : 1.0);
 }
@@ -45,6 +46,38 @@ void pdmc_draw_explicit_energies(const pdmc_results *r, const pdmc_figure *figur
     if (p->record_count > 0 && p->dissipated[p->record_count - 1] != 0.0)
         fputs(", $energies using 1:7 with lines linecolor '#e69f00' title 'dissipated'", script);
     fputc('\n', script);
+}
+
+// Whether any of a condition's nodes has moved at the end, on the mean.
+static bool moves(const pdmc_explicit_record *p, int condition)
+{
+    return p->record_count > 0 &&
+           pdmc_norm_of(pdmc_of_condition(p, p->condition_displacement, p->record_count - 1, condition)) > 0.0;
+}
+
+void pdmc_draw_load_displacement(const pdmc_results *r, const pdmc_figure *figure)
+{
+    FILE *script = figure->script;
+    const pdmc_explicit_record *p = &r->particles;
+    for (int c = 0; c < p->condition_count; c++) {
+        fprintf(script, "$condition%d << EOD\n", c);
+        for (int i = 0; i < p->record_count; i += stride(p))
+            fprintf(script, "%.9g %.9g\n", pdmc_norm_of(pdmc_of_condition(p, p->condition_displacement, i, c)),
+                    pdmc_norm_of(pdmc_of_condition(p, p->condition_force, i, c)));
+        fputs("EOD\n", script);
+    }
+    pdmc_figure_label(figure, "xlabel", "Displacement (", r->length_unit, ")");
+    pdmc_figure_label(figure, "ylabel", "Force (", r->force_unit, ")");
+    fputs("set xrange [0:*]\nset yrange [0:*]\nset key outside top center horizontal\n", script);
+    const char *before = "plot";
+    for (int c = 0; c < p->condition_count; c++) {
+        if (!moves(p, c)) continue;
+        fprintf(script, "%s $condition%d with linespoints pointtype 7 pointsize 0.6 dashtype %d title ", before, c,
+                c % 2 + 1);
+        pdmc_figure_text(figure, p->conditions[c].name);
+        before = ",";
+    }
+    fputs(before[0] == 'p' ? "plot NaN notitle\n" : "\n", script);
 }
 
 void pdmc_draw_explicit_tips(const pdmc_results *r, const pdmc_figure *figure)

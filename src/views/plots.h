@@ -30,6 +30,8 @@ void pdmc_draw_motion_displacements(const pdmc_results *r, const pdmc_figure *fi
 
 /// What came in and what it has become, growth of the tips, both over time, of an explicit study.
 void pdmc_draw_explicit_energies(const pdmc_results *r, const pdmc_figure *figure);
+/// The forces of conditions over their displacements, of those that move, of a quasi-static study.
+void pdmc_draw_load_displacement(const pdmc_results *r, const pdmc_figure *figure);
 void pdmc_draw_explicit_tips(const pdmc_results *r, const pdmc_figure *figure);
 
 /// The damage of the last snapshot, on the nodes as they lay: in the plane all of it; in space from above, and on a section

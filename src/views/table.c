@@ -53,6 +53,7 @@ static void print_sampling(const pdmc_results *r, FILE *stream)
 static void print_head(const pdmc_results *r, FILE *stream)
 {
     char text[3][PDMC_LINE_SIZE];
+    const char *counted = r->kind == PDMC_QUASI_STATIC ? "loads" : "steps";
     fprintf(stream, "%s\n", pdmc_one_line(text[0], r->title));
     fprintf(stream, "  computed %.20s by pdmc %.16s (%.10s), %d threads, %.1f s\n",
             pdmc_one_line(text[0], r->date_and_time), pdmc_one_line(text[1], r->pdmc_version),
@@ -61,9 +62,10 @@ static void print_head(const pdmc_results *r, FILE *stream)
         fprintf(stream, "  INTERRUPTED: all samples were done, rare growth was not\n");
     else if (r->status == PDMC_RUN_INTERRUPTED)
         fprintf(stream, "  INTERRUPTED: these are the %s that were done until then\n",
-                r->kind == PDMC_STATIC ? "samples" : "steps");
-    else if (r->status == PDMC_RUN_NOT_FINITE)
-        fprintf(stream, "  STOPPED, these are the steps until then: %s\n", pdmc_one_line(text[0], r->particles.stop));
+                r->kind == PDMC_STATIC ? "samples" : counted);
+    else if (r->status == PDMC_RUN_NOT_FINITE || r->status == PDMC_RUN_NO_REST)
+        fprintf(stream, "  STOPPED, these are the %s until then: %s\n", counted,
+                pdmc_one_line(text[0], r->particles.stop));
     else if (r->status == PDMC_RUN_TARGET_MET) fprintf(stream, "  the precision that was asked for is reached\n");
     else if (r->status == PDMC_RUN_SAMPLE_CAP)
         fprintf(stream, "  STOPPED AT THE CAP: the most samples allowed do not give the precision that was asked for\n");
@@ -256,7 +258,7 @@ pdmc_status pdmc_view_table(const pdmc_results *results, FILE *stream)
     const pdmc_status status = pdmc_locale_plain(&locale);
     if (status != PDMC_OK) return status;
     print_head(results, stream);
-    if (results->kind == PDMC_EXPLICIT) print_explicit(results, stream);
+    if (pdmc_is_of_bodies(results->kind)) print_explicit(results, stream);
     else print_plate(results, stream);
     pdmc_locale_restore(&locale);
     if (fflush(stream) != 0 || ferror(stream)) return pdmc_raise(PDMC_ERR_IO, "the table cannot be written");

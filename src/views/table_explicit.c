@@ -3,6 +3,20 @@
 
 #include "views/explicit.h"
 
+#include <math.h>
+
+static void print_loads(const pdmc_explicit_record *p, FILE *stream)
+{
+    double residual = 0.0, breakages = 0.0;
+    for (int i = 0; i < p->record_count; i++) {
+        residual = fmax(residual, p->residual[i]);
+        breakages += p->breakages[i];
+    }
+    fprintf(stream,
+            "  %d loads, residuals up to %.2g; %.0f steps of relaxation; bonds broke %.0f times\n  forces by %.12s\n",
+            p->record_count - 1, residual, p->steps, breakages, p->kernel);
+}
+
 static void print_grid(const pdmc_results *r, FILE *stream)
 {
     const pdmc_explicit_record *p = &r->particles;
@@ -10,6 +24,10 @@ static void print_grid(const pdmc_results *r, FILE *stream)
     fprintf(stream, "  %d nodes and %.0f bonds in %s, spacing %s, horizon %s %.20s\n", p->node_count, p->bonds,
             p->dimension == 2 ? "the plane" : "space", pdmc_brief(n[0], p->spacing), pdmc_brief(n[1], p->horizon),
             pdmc_one_line(length, r->length_unit));
+    if (pdmc_is_at_rest(p)) {
+        print_loads(p, stream);
+        return;
+    }
     fprintf(stream, "  %.0f steps of %s %.20s, %.3g of the largest stable one; forces by %.12s\n", p->steps,
             pdmc_brief(n[2], p->step), pdmc_one_line(time, r->time_unit), p->step / p->stable_step, p->kernel);
 }
@@ -19,13 +37,15 @@ static void print_energies(const pdmc_results *r, int last, FILE *stream)
     const pdmc_explicit_record *p = &r->particles;
     char unit[PDMC_UNIT_SIZE], n[6][PDMC_BRIEF_SIZE], text[2][PDMC_LINE_SIZE];
     pdmc_results_unit(r, PDMC_UNIT_WORK, sizeof unit, unit);
-    fprintf(stream, "\nat %s %.20s\n", pdmc_brief(n[0], p->time[last]), pdmc_one_line(text[0], r->time_unit));
+    fprintf(stream, "\nat %s %.20s\n", pdmc_brief(n[0], p->time[last]),
+            pdmc_is_at_rest(p) ? "of the load" : pdmc_one_line(text[0], r->time_unit));
     fprintf(stream, "  first %s + work %s = kinetic %s + elastic %s + fracture %s + contact %s %.20s\n",
             pdmc_brief(n[0], p->first), pdmc_brief(n[1], p->work[last]), pdmc_brief(n[2], p->kinetic[last]),
             pdmc_brief(n[3], p->elastic[last]), pdmc_brief(n[4], p->fracture[last]), pdmc_brief(n[5], p->contact[last]),
             pdmc_one_line(text[1], unit));
     if (p->dissipated[last] != 0.0)
-        fprintf(stream, "  and dissipated %s by damping\n", pdmc_brief(n[0], p->dissipated[last]));
+        fprintf(stream, "  and dissipated %s%s\n", pdmc_brief(n[0], p->dissipated[last]),
+                pdmc_is_at_rest(p) ? ", where bonds broke" : " by damping");
     fprintf(stream, "  the balance of energy is off by %s of the largest energy at most\n",
             pdmc_brief(n[0], pdmc_explicit_balance_error(p)));
     fprintf(stream, "  %.0f bonds are broken, the mean damage is %.6g\n", p->broken[last], p->mean_damage[last]);
@@ -42,11 +62,30 @@ static void print_fragments(const pdmc_results *r, int last, FILE *stream)
             p->loose_nodes[last]);
 }
 
+static void print_tips_at_rest(const pdmc_results *r, FILE *stream)
+{
+    const pdmc_explicit_record *p = &r->particles;
+    char n[5][PDMC_BRIEF_SIZE], text[PDMC_LINE_SIZE];
+    fprintf(stream, "\ntips, in %.20s; a tip is where the damage exceeds %.3g; begin and end are loads\n",
+            pdmc_one_line(text, r->length_unit), p->tip_damage);
+    fprintf(stream, "  %-20s %10s %10s %10s %10s %10s\n", "", "x", "y", "growth", "begins", "ends");
+    for (int t = 0; t < p->tip_count; t++) {
+        const pdmc_tip_growth g = pdmc_results_growth(p, t);
+        fprintf(stream, "  %-20.20s %10s %10s %10s %10s %10s\n", pdmc_one_line(text, p->tips[t].name),
+                pdmc_brief(n[0], p->tips[t].position[0]), pdmc_brief(n[1], p->tips[t].position[1]),
+                pdmc_brief(n[2], g.growth), pdmc_brief(n[3], g.begin), pdmc_brief(n[4], g.end));
+    }
+}
+
 static void print_tips(const pdmc_results *r, FILE *stream)
 {
     const pdmc_explicit_record *p = &r->particles;
     char n[7][PDMC_BRIEF_SIZE], length[PDMC_LINE_SIZE], time[PDMC_LINE_SIZE];
     if (p->tip_count == 0) return;
+    if (pdmc_is_at_rest(p)) {
+        print_tips_at_rest(r, stream);
+        return;
+    }
     fprintf(stream, "\ntips, in %.20s and %.20s; a tip is where the damage exceeds %.3g; speeds over %s\n",
             pdmc_one_line(length, r->length_unit), pdmc_one_line(time, r->time_unit), p->tip_damage,
             pdmc_brief(n[0], p->speed_window));
@@ -90,6 +129,14 @@ static void print_conditions(const pdmc_results *r, int last, FILE *stream)
                 pdmc_brief(n[0], f[0]), pdmc_brief(n[1], f[1]), pdmc_brief(n[2], f[2]), pdmc_brief(n[3], u[0]),
                 pdmc_brief(n[4], u[1]), pdmc_brief(n[5], u[2]));
     }
+    for (int c = 0; c < p->condition_count && pdmc_is_at_rest(p); c++) {
+        const int at = pdmc_largest_force_at(p, c);
+        fprintf(stream, "  %-15.15s largest force %s at the displacement %s, load %s\n",
+                pdmc_one_line(text[0], p->conditions[c].name),
+                pdmc_brief(n[0], pdmc_norm_of(pdmc_of_condition(p, p->condition_force, at, c))),
+                pdmc_brief(n[1], pdmc_norm_of(pdmc_of_condition(p, p->condition_displacement, at, c))),
+                pdmc_brief(n[2], p->time[at]));
+    }
 }
 
 void pdmc_table_explicit(const pdmc_results *r, FILE *stream)
@@ -105,5 +152,6 @@ void pdmc_table_explicit(const pdmc_results *r, FILE *stream)
         print_conditions(r, last, stream);
     }
     fprintf(stream, "\nkept     %d records, %d snapshots of all nodes\n", p->record_count, p->snapshot_count);
-    fprintf(stream, "seconds  steps %.2f, output %.2f\n", r->runtime.motion, r->runtime.output);
+    fprintf(stream, pdmc_is_at_rest(p) ? "seconds  loads %.2f, output %.2f\n" : "seconds  steps %.2f, output %.2f\n",
+            r->runtime.motion, r->runtime.output);
 }

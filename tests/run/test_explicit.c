@@ -334,7 +334,7 @@ static void counts_bound_those_of_the_engine(void **state)
 static void a_damped_bar_comes_to_rest(void **state)
 {
     (void)state;
-    const pdmc_run_options options = {.threads = 2};
+    const pdmc_run_options options = {.threads = 1};
     for (int relative = 0; relative < 2; relative++) {
         char text[1024];
         snprintf(text, sizeof text,

@@ -419,6 +419,80 @@ static void memory_that_is_refused_is_told(void **state)
     CHECK_FAILS_CLEANLY(read_text(plane, &study), pdmc_study_clear(&study));
 }
 
+static const char slow[] =
+    "kind = \"quasi_static\"; grid = { dimension = 2; spacing = 0.5; };\n"
+    "materials = ( { density = 2; youngs_modulus = 3; critical_stretch = 0.02; } );\n"
+    "bodies = ( { from = [0, 0]; to = [8, 8]; } );\n"
+    "conditions = ( { prescribed = \"displacement\"; from = [0, 0]; to = [8, 1]; y = 0; },\n"
+    "               { prescribed = \"force\"; from = [0, 7]; to = [8, 8]; y = 1; times = [0, 3]; factors = [0, 2]; } );\n"
+    "loading = { steps = 7; end = 3.0; tolerance = 1e-5; most_steps = 500; }; record = { snapshots = 4; };\n";
+
+static void loads_are_read(void **state)
+{
+    (void)state;
+    pdmc_study first, second;
+    CHECK_OK(read_text(slow, &first));
+    const pdmc_explicit *m = &first.motion;
+    assert_int_equal(first.problem.kind, PDMC_QUASI_STATIC);
+    assert_int_equal(m->load_steps, 7);
+    CHECK_NEAR(m->load_ends[0], 0.0, 0.0);
+    CHECK_NEAR(m->load_ends[1], 3.0, 0.0);
+    CHECK_NEAR(m->rest_tolerance, 1e-5, 0.0);
+    assert_int_equal(m->most_relaxation_steps, 500);
+    CHECK_NEAR(m->contact_distance, 0.0, 0.0);
+    assert_int_equal(m->snapshots, 4);
+    assert_false(m->has_interval || m->has_speed_window || m->has_step);
+    CHECK_OK(read_text(first.resolved, &second));
+    assert_string_equal(first.resolved, second.resolved);
+    const pdmc_explicit_amounts amounts = pdmc_explicit_count(m);
+    CHECK_NEAR(amounts.steps, 7.0, 0.0);
+    pdmc_study_clear(&first);
+    pdmc_study_clear(&second);
+}
+
+// What only moves has no place in it.
+static void what_moves_is_not_at_rest(void **state)
+{
+    (void)state;
+    const struct {
+        const char *settings, *message;
+    } mistakes[] = {
+        {"conditions = ( { from = [0, 0]; to = [1, 1]; x = 1; } );",
+         "study.cfg:4: conditions[0].prescribed: \"velocity\" is not allowed in a quasi-static study, must be \"displacement\" or "
+         "\"force\""},
+        {"time = { duration = 1; };", "study.cfg:4: time: is not part of a study of kind \"quasi_static\""},
+        {"spheres = ( );", "study.cfg:4: spheres: is not part of a study of kind \"quasi_static\""},
+        {"damping = { absolute = 1; };", "study.cfg:4: damping: is not part of a study of kind \"quasi_static\""},
+        {"contact = { distance = 1; };", "study.cfg:4: contact: is not part of a study of kind \"quasi_static\""},
+        {"loading = { steps = 0; };", "study.cfg:4: loading.steps: 0 is not allowed, must be from 1 to 1000000"},
+        {"loading = { tolerance = 0.0; };",
+         "study.cfg:4: loading.tolerance: 0.0 is not allowed, must be > 0 and <= 0.1"},
+        {"record = { interval = 1; };",
+         "study.cfg:4: record.interval: is no setting of a quasi-static study, which has no time"},
+        {"record = { speed_window = 1; };",
+         "study.cfg:4: record.speed_window: is no setting of a quasi-static study, which has no time"},
+    };
+    for (size_t i = 0; i < sizeof mistakes / sizeof mistakes[0]; i++) {
+        char text[1024];
+        pdmc_study study;
+        snprintf(text, sizeof text,
+                 "kind = \"quasi_static\"; grid = { dimension = 2; spacing = 0.5; };\n"
+                 "materials = ( { density = 2; youngs_modulus = 3; } );\nbodies = ( { from = [0, 0]; to = [8, 8]; } );\n%s\n",
+                 mistakes[i].settings);
+        CHECK_STATUS(read_text(text, &study), PDMC_ERR_CONFIG);
+        assert_string_equal(pdmc_last_error(), mistakes[i].message);
+    }
+    pdmc_study study;
+    CHECK_STATUS(read_text("kind = \"quasi_static\"; grid = { dimension = 2; spacing = 0.5; };\n"
+                           "materials = ( { density = 2; youngs_modulus = 3; } );\n"
+                           "bodies = ( { from = [0, 0]; to = [8, 8]; velocity = [1, 0]; } );\n",
+                           &study),
+                 PDMC_ERR_CONFIG);
+    assert_string_equal(pdmc_last_error(), "study.cfg:3: bodies[0].velocity: is not zero, must be in a quasi-static study");
+    CHECK_STATUS(read_explicit(REST, "loading = { steps = 3; };", &study), PDMC_ERR_CONFIG);
+    assert_string_equal(pdmc_last_error(), "study.cfg:9: loading: is not part of a study of kind \"explicit\"");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -435,6 +509,8 @@ int main(void)
         cmocka_unit_test(nodes_that_cannot_be),
         cmocka_unit_test(plates_have_no_bodies),
         cmocka_unit_test(memory_that_is_refused_is_told),
+        cmocka_unit_test(loads_are_read),
+        cmocka_unit_test(what_moves_is_not_at_rest),
     };
     return cmocka_run_group_tests(tests, enter_folder, leave_folder);
 }

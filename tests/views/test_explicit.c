@@ -7,6 +7,7 @@
 #include "check.h"
 #include "results/made_up.h"
 #include "results/scratch.h"
+#include "views/csv.h"
 #include "views/explicit.h"
 
 #include <jansson.h>
@@ -189,6 +190,75 @@ static void it_is_not_compared(void **state)
     pdmc_results_clear(&b);
 }
 
+// The same records as if they were of loads: forces grow to the end, 2.52 mm at 0.75 mm or so.
+static pdmc_results made_up_loads(void)
+{
+    pdmc_results r = made_up_explicit(2);
+    pdmc_explicit_record *p = &r.particles;
+    r.kind = PDMC_QUASI_STATIC;
+    p->residual = pdmc_calloc((size_t)p->record_count, sizeof(double));
+    p->relaxation_steps = pdmc_calloc((size_t)p->record_count, sizeof(double));
+    p->breakages = pdmc_calloc((size_t)p->record_count, sizeof(double));
+    assert_true(p->residual && p->relaxation_steps && p->breakages);
+    for (int i = 0; i < p->record_count; i++) {
+        p->residual[i] = i / 1024.0;
+        p->relaxation_steps[i] = 10.0;
+        p->breakages[i] = i % 2;
+    }
+    return r;
+}
+
+static void loads_are_shown(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_loads();
+    r.status = PDMC_RUN_NO_REST;
+    r.particles.stop = pdmc_strdup("load 2.1");
+    char *text = printed(pdmc_view_table, &r);
+    expect_line(text, "  STOPPED, these are the loads until then: load 2.1\n");
+    expect_line(text, "  20 loads, residuals up to 0.02; 200 steps of relaxation; bonds broke 10 times\n  forces by portable\n");
+    expect_line(text, "\nat 2 of the load\n");
+    expect_line(text, "  and dissipated 0.25, where bonds broke\n");
+    expect_line(text, "  centre.to                     1          0          3        0.5        1.4\n");
+    // sqrt(369^2 + 372^2 + 375^2), and a 3000th of it
+    expect_line(text, "  end2            largest force 644.3 at the displacement 0.2148, load 2\n");
+    for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n")) assert_true(strlen(line) <= 100);
+    free(text);
+
+    text = printed(pdmc_view_json, &r);
+    json_t *all = json_loads(text, 0, NULL);
+    const json_t *object = json_object_get(all, "quasi_static"), *records = json_object_get(object, "records");
+    assert_string_equal(json_string_value(json_object_get(all, "kind")), "quasi_static");
+    assert_null(json_object_get(records, "time"));
+    CHECK_NEAR(json_number_value(json_array_get(json_object_get(records, "load"), 20)), 2.0, 1e-15);
+    CHECK_NEAR(json_number_value(json_array_get(json_object_get(records, "residual"), 20)), 20 / 1024.0, 0.0);
+    const json_t *condition = json_array_get(json_object_get(object, "conditions"), 1);
+    CHECK_NEAR(json_number_value(json_object_get(condition, "largest_force")), sqrt(369. * 369 + 372 * 372 + 375 * 375),
+               1e-12);
+    json_decref(all);
+    free(text);
+    pdmc_results_clear(&r);
+}
+
+static void csv_and_pictures_of_loads(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_loads();
+    char *text = printed(pdmc_csv_records, &r);
+    expect_line(text, "record,load,kinetic[kN mm],");
+    expect_line(text, "displacement.z[mm],residual,relaxation_steps,breakages\n");
+    expect_line(text, ",0.01953125,10,0\n");
+    free(text);
+    CHECK_OK(pdmc_view_plot(&r, scratch_path("plots")));
+    size_t size = 0;
+    char *bytes = scratch_read(scratch_path("plots/load_displacement.png"), &size);
+    assert_true(size > 1000 && memcmp(bytes, "\x89PNG", 4) == 0);
+    free(bytes);
+    scratch_empty(scratch_path("plots"));
+    scratch_empty(scratch);
+    pdmc_results_clear(&r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -199,6 +269,8 @@ int main(void)
         cmocka_unit_test(the_csv_has_records_and_nodes),
         cmocka_unit_test(every_picture_is_drawn),
         cmocka_unit_test(it_is_not_compared),
+        cmocka_unit_test(loads_are_shown),
+        cmocka_unit_test(csv_and_pictures_of_loads),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }
