@@ -10,6 +10,7 @@
 typedef struct {
     int nodes, unknowns, rows;
     double bytes, seconds; // of memory and of wall time, within a factor of two or so
+    double most_seconds;   // where a target goes on to the most samples; else the same
 } pdmc_cost;
 
 /// What an explicit or a quasi-static study will cost: upper bounds of its nodes, bonds and steps, with memory and wall time from them.
@@ -29,7 +30,8 @@ typedef struct {
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options,
                                              pdmc_results *results);
 
-/// Estimates what pdmc_run() would need, from counts of operations at a nominal rate a thread.
+/// Estimates what pdmc_run() would need, from counts of operations at a nominal rate a thread: the samples, and what they
+/// usually take of points of rare growth and sensitivities, and a control.
 PDMC_API pdmc_cost pdmc_run_cost(const pdmc_problem *problem, int threads);
 
 /// The same of an explicit study, without placing its nodes.

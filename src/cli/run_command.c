@@ -163,7 +163,7 @@ static void print_cost_and_threads(double bytes, double seconds, int threads)
 {
     printf("; about %.0f MB and ", bytes / 1e6);
     print_seconds(seconds);
-    printf(" on %d thread%s\n", threads, threads == 1 ? "" : "s");
+    printf(" on %d thread%s", threads, threads == 1 ? "" : "s");
 }
 
 static pdmc_status check_plate(const pdmc_study *study, int threads)
@@ -173,6 +173,12 @@ static pdmc_status check_plate(const pdmc_study *study, int threads)
     const pdmc_cost cost = pdmc_run_cost(&study->problem, threads);
     printf("%s\n# %d nodes, %d unknowns, %d rows", study->resolved, cost.nodes, cost.unknowns, cost.rows);
     print_cost_and_threads(cost.bytes, cost.seconds, threads);
+    if (cost.most_seconds > cost.seconds) {
+        printf(", up to ");
+        print_seconds(cost.most_seconds);
+        printf(" for the most samples");
+    }
+    putchar('\n');
     return PDMC_OK;
 }
 
@@ -197,6 +203,7 @@ static pdmc_status check_explicit(const pdmc_study *study, int threads)
     print_steps(&study->motion, particles);
     if (draws_samples(study)) printf(", %d samples", study->problem.sampling.samples);
     print_cost_and_threads(cost.bytes, cost.seconds, threads);
+    putchar('\n');
     pdmc_particles_destroy(particles);
     return PDMC_OK;
 }

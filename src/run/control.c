@@ -7,7 +7,7 @@
 #include "stochastic/controlled.h"
 
 // The bonds of a grid are counted along the whole line of growth.
-static pdmc_problem cheaper_problem(const pdmc_problem *problem, int own_samples)
+pdmc_problem pdmc_control_problem(const pdmc_problem *problem, int own_samples)
 {
     pdmc_problem cheaper = *problem;
     cheaper.solver = problem->control.solver;
@@ -54,7 +54,7 @@ pdmc_status pdmc_run_control(const pdmc_problem *problem, const pdmc_run_options
 {
     pdmc_status status = PDMC_OK;
     const double start = pdmc_seconds();
-    const pdmc_problem own = cheaper_problem(problem, results->sample_count);
+    const pdmc_problem own = pdmc_control_problem(problem, results->sample_count);
     const pdmc_affine_family family = pdmc_plate_family(&own, options->threads);
     pdmc_discretisation plate = {0};
     pdmc_affine model = {0};

@@ -2,7 +2,7 @@
 
 /// The cost of a grid of bonds: its Cholesky factor, and the solutions with it.
 
-#include "run/cost_bond.h"
+#include "run/cost_impl.h"
 
 #include "pdmc/affine.h"
 

@@ -59,6 +59,34 @@ static void more_costs_more(void **state)
     pdmc_study_clear(&study);
 }
 
+// What comes besides the samples: points of rare growth and sensitivities, a control, and the most samples of a target.
+static void all_that_is_asked_for_costs(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    read_study(ONE_CRACK, BOTH, "samples = 1000; target = \"mean\"; most_samples = 100000;", &study);
+    pdmc_problem *p = &study.problem;
+    const pdmc_cost base = pdmc_run_cost(p, 1);
+    p->sampling.samples = 100000;
+    CHECK_NEAR(base.most_seconds, pdmc_run_cost(p, 1).seconds, 1e-9 * base.most_seconds);
+    assert_true(base.most_seconds > 1.5 * base.seconds);
+    p->sampling.samples = 1000;
+    p->sampling.target = PDMC_TARGET_NONE;
+    CHECK_NEAR(pdmc_run_cost(p, 1).most_seconds, base.seconds, 0.0);
+    p->reliability = (pdmc_reliability_request){PDMC_RARE_SUBSET, 0.001, 100000, 0};
+    const pdmc_cost rare = pdmc_run_cost(p, 1); // at the cap, as many points as those samples
+    CHECK_NEAR(rare.seconds - base.seconds, base.most_seconds - base.seconds, 0.5 * (base.most_seconds - base.seconds));
+    p->reliability.method = PDMC_RARE_BOTH;
+    p->reliability.sensitivity = 50000;
+    assert_true(pdmc_run_cost(p, 1).seconds > rare.seconds + 2.0 * (rare.seconds - base.seconds));
+    p->reliability = (pdmc_reliability_request){PDMC_RARE_NONE, 0.05, 100000, 0};
+    p->control.samples = 100000;
+    p->control.solver = p->solver;
+    const pdmc_cost controlled = pdmc_run_cost(p, 1);
+    assert_true(controlled.seconds > base.most_seconds && controlled.bytes > base.bytes);
+    pdmc_study_clear(&study);
+}
+
 static void a_plate_for_every_sample(void **state)
 {
     (void)state;
@@ -89,6 +117,7 @@ int main(void)
         cmocka_unit_test(counts),
         cmocka_unit_test(seconds_and_bytes),
         cmocka_unit_test(more_costs_more),
+        cmocka_unit_test(all_that_is_asked_for_costs),
         cmocka_unit_test(a_plate_for_every_sample),
     };
     return cmocka_run_group_tests(tests, enter_folder, leave_folder);
