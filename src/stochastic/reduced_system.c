@@ -67,10 +67,10 @@ double pdmc_reduced_share(const pdmc_reduced_system *system, const double error[
 typedef struct {
     double *coefficient; // [PANEL, 1 + terms] 1 and xi
     double *triangle;    // [PANEL, d (d + 1) / 2] A = V' K(xi) V
-    double *probes;      // [PANEL, d, PROBES] z' K(xi) V
     double *factor;      // [d, d] of one sample
-    double *answer;      // [sides, d] of one sample
-    double *residual;    // [sides, PROBES] of one sample
+    double *answer;      // [PANEL, sides, d]
+    double *residual;    // [PANEL, sides, PROBES]
+    double *part;        // [PANEL, sides, PROBES] of the residuals, of one term
 } workspace;
 
 static pdmc_status workspace_create(const pdmc_reduced_system *system, workspace *work)
@@ -80,10 +80,10 @@ static pdmc_status workspace_create(const pdmc_reduced_system *system, workspace
     *work = (workspace){0};
     PDMC_NEW(work->coefficient, PANEL * (1 + system->terms));
     PDMC_NEW(work->triangle, PANEL * pdmc_triangle_column(r));
-    PDMC_NEW(work->probes, PANEL * r * PROBES);
     PDMC_NEW(work->factor, r * r);
-    PDMC_NEW(work->answer, (size_t)system->sides * r);
-    PDMC_NEW(work->residual, system->sides * PROBES);
+    PDMC_NEW(work->answer, (size_t)(PANEL * system->sides) * r);
+    PDMC_NEW(work->residual, PANEL * system->sides * PROBES);
+    PDMC_NEW(work->part, PANEL * system->sides * PROBES);
 done:
     return status;
 }
@@ -92,10 +92,10 @@ static void workspace_clear(workspace *work)
 {
     pdmc_free(work->coefficient);
     pdmc_free(work->triangle);
-    pdmc_free(work->probes);
     pdmc_free(work->factor);
     pdmc_free(work->answer);
     pdmc_free(work->residual);
+    pdmc_free(work->part);
 }
 
 // The operators of a panel: sums over the terms, for all entries at once. A panel that is not full has the mean's as well.
@@ -103,50 +103,55 @@ static void assemble(const pdmc_reduced_system *system, int d, int count, const 
                      workspace *work)
 {
     const int terms = system->terms, operators = 1 + terms;
-    const int entries = (int)pdmc_triangle_column((size_t)d), products = d * PROBES;
+    const int entries = (int)pdmc_triangle_column((size_t)d);
     memset(work->coefficient, 0, (size_t)(PANEL * operators) * sizeof *work->coefficient);
     for (int p = 0; p < PANEL; p++) work->coefficient[p * operators] = 1.0;
     for (int p = 0; p < count; p++)
         memcpy(&work->coefficient[p * operators + 1], &xi[sample[p] * terms], (size_t)terms * sizeof *xi);
     cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, PANEL, entries, operators, 1.0, work->coefficient, operators,
                 system->matrix, PDMC_REDUCED_TRIANGLE, 0.0, work->triangle, entries);
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, PANEL, products, operators, 1.0, work->coefficient,
-                operators, system->probe_matrix, CAPACITY * PROBES, 0.0, work->probes, products);
 }
 
 // A^-1 f for all right-hand sides. False where A is not positive definite. From the last vector to the first, so that the
 // columns of the triangle are those of a lower one, whose factorisation takes two thirds of the time of an upper one's.
 static bool solve_one(const pdmc_reduced_system *system, int d, const double triangle[], const double share[],
-                      workspace *work)
+                      const workspace *work, double answer[])
 {
     for (int j = 0; j < d; j++) {
         double *last = &work->factor[(size_t)(d - 1 - j) * (size_t)d + (size_t)(d - 1)];
         for (int i = 0; i <= j; i++) last[-i] = triangle[pdmc_triangle_column((size_t)j) + (size_t)i];
     }
     for (int k = 0; k < system->sides; k++)
-        memcpy(&work->answer[k * d], &system->load[k * CAPACITY], (size_t)d * sizeof *work->answer);
+        memcpy(&answer[k * d], &system->load[k * CAPACITY], (size_t)d * sizeof *answer);
     for (int l = 0; l < system->added && share; l++)
-        cblas_daxpy(d, share[l], &system->load[(system->sides + l) * CAPACITY], 1, work->answer, 1);
+        cblas_daxpy(d, share[l], &system->load[(system->sides + l) * CAPACITY], 1, answer, 1);
     if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'L', d, work->factor, d) != 0) return false;
     for (int k = 0; k < system->sides; k++) {
-        cblas_dtrsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, d, work->factor, d, &work->answer[k * d],
-                    -1);
-        cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, d, work->factor, d, &work->answer[k * d], -1);
+        cblas_dtrsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, d, work->factor, d, &answer[k * d], -1);
+        cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, d, work->factor, d, &answer[k * d], -1);
     }
     return true;
 }
 
-// |z' K(xi) V y - z' F| of every right-hand side.
-static void probe_residuals(const pdmc_reduced_system *system, int d, const double probes[], const double share[],
-                            workspace *work, double norm[])
+// z' K(xi) V y - z' F of a panel, term by term.
+static void probe_residuals(const pdmc_reduced_system *system, int d, int count, const int sample[],
+                            const double share[], workspace *work)
 {
-    const int sides = system->sides;
-    memcpy(work->residual, system->probe_load, (size_t)(sides * PROBES) * sizeof *work->residual);
-    for (int l = 0; l < system->added && share; l++)
-        cblas_daxpy(PROBES, share[l], &system->probe_load[(sides + l) * PROBES], 1, work->residual, 1);
-    cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, sides, PROBES, d, 1.0, work->answer, d, probes, PROBES, -1.0,
-                work->residual, PROBES);
-    for (int k = 0; k < sides; k++) norm[k] = cblas_dnrm2(PROBES, &work->residual[k * PROBES], 1);
+    const int sides = system->sides, operators = 1 + system->terms, values = sides * PROBES;
+    for (int p = 0; p < PANEL; p++) {
+        double *residual = &work->residual[p * values];
+        for (int i = 0; i < values; i++) residual[i] = -system->probe_load[i];
+        for (int l = 0; l < system->added && share && p < count; l++)
+            cblas_daxpy(PROBES, -share[sample[p] * system->added + l], &system->probe_load[(sides + l) * PROBES], 1,
+                        residual, 1);
+    }
+    for (int m = 0; m < operators; m++) {
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, PANEL * sides, PROBES, d, 1.0, work->answer, d,
+                    &system->probe_matrix[(size_t)m * CAPACITY * PROBES], PROBES, 0.0, work->part, PROBES);
+        for (int p = 0; p < PANEL; p++)
+            cblas_daxpy(values, work->coefficient[p * operators + m], &work->part[p * values], 1,
+                        &work->residual[p * values], 1);
+    }
 }
 
 static void store_answer(const pdmc_reduced_system *system, int d, const double answer[], double y[])
@@ -161,17 +166,20 @@ static void solve_panel(const pdmc_reduced_system *system, int d, int count, con
                         const double share[], const double alpha[], workspace *work, double y[], double error[])
 {
     const int sides = system->sides;
+    bool is_solved[PANEL];
     assemble(system, d, count, sample, xi, work);
+    for (int p = 0; p < count; p++)
+        is_solved[p] = solve_one(system, d, &work->triangle[(size_t)p * pdmc_triangle_column((size_t)d)],
+                                 share ? &share[sample[p] * system->added] : NULL, work, &work->answer[p * sides * d]);
+    probe_residuals(system, d, count, sample, share, work);
     for (int p = 0; p < count; p++) {
-        double *mine = &error[sample[p] * sides];
-        const size_t triangle = (size_t)p * pdmc_triangle_column((size_t)d), probes = (size_t)(p * d) * PROBES;
-        const double *added = share ? &share[sample[p] * system->added] : NULL;
-        const bool is_solved = solve_one(system, d, &work->triangle[triangle], added, work);
-        const bool is_bounded = is_solved && alpha[sample[p]] > 0.0;
-        if (is_solved) probe_residuals(system, d, &work->probes[probes], added, work, mine);
-        for (int k = 0; k < sides; k++)
-            mine[k] = is_bounded ? mine[k] / sqrt(system->quantile * alpha[sample[p]]) : INFINITY;
-        store_answer(system, d, work->answer, &y[(size_t)(sample[p] * sides) * (size_t)system->dimension]);
+        const bool is_bounded = is_solved[p] && alpha[sample[p]] > 0.0;
+        for (int k = 0; k < sides; k++) {
+            const double norm = cblas_dnrm2(PROBES, &work->residual[(p * sides + k) * PROBES], 1);
+            error[sample[p] * sides + k] = is_bounded ? norm / sqrt(system->quantile * alpha[sample[p]]) : INFINITY;
+        }
+        store_answer(system, d, &work->answer[p * sides * d],
+                     &y[(size_t)(sample[p] * sides) * (size_t)system->dimension]);
     }
 }
 
