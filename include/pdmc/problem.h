@@ -10,13 +10,19 @@
 
 enum { PDMC_NAME_SIZE = 64 }; // with the terminating zero
 
-/// Of an explicit study this struct has the kind, the title and the units; the rest is in pdmc/explicit.h.
-typedef enum { PDMC_STATIC, PDMC_DYNAMIC, PDMC_EXPLICIT, PDMC_QUASI_STATIC } pdmc_problem_kind;
+/// Of a study of bodies or of a scalar one this struct has the kind, the title and the units; the rest is in pdmc/explicit.h
+/// or pdmc/scalar.h.
+typedef enum { PDMC_STATIC, PDMC_DYNAMIC, PDMC_EXPLICIT, PDMC_QUASI_STATIC, PDMC_SCALAR } pdmc_problem_kind;
 
 /// Whether a study is of bodies of bonds, see pdmc/explicit.h, and not of a plate.
 static inline bool pdmc_is_of_bodies(pdmc_problem_kind kind)
 {
     return kind == PDMC_EXPLICIT || kind == PDMC_QUASI_STATIC;
+}
+
+static inline bool pdmc_is_of_plate(pdmc_problem_kind kind)
+{
+    return kind == PDMC_STATIC || kind == PDMC_DYNAMIC;
 }
 typedef enum { PDMC_PLANE_STRESS, PDMC_PLANE_STRAIN } pdmc_assumption;
 typedef enum { PDMC_SIDE_LEFT, PDMC_SIDE_RIGHT, PDMC_SIDE_BOTTOM, PDMC_SIDE_TOP } pdmc_side;

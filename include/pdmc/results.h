@@ -251,6 +251,25 @@ typedef struct {
     pdmc_estimate *path_mean;                 // [T, X] over these
     pdmc_estimate *path_quantiles;            // [T, X, Q]
 } pdmc_ensemble_results;
+/// A scalar study's levels, N of them, each with half the spacing or half the horizon of the one before; and the field of
+/// the last one, n values. The field has no unit. Roots of means of squares over the body.
+typedef struct {
+    int dimension;
+    double power, wave_number; // of c(r) ~ r^-power; 1 / length
+    int level_count;           // N
+    double *spacing, *horizon;              // [N] length; spacing: the longest edge of an element
+    double *elements, *unknowns, *entries;  // [N] as numbers of the file; entries: of the form
+    double *error;          // [N] difference to the wave
+    double *classical;      // [N] difference to classical elements on the same mesh; NaN where the spacing varies
+    double *stable_step;    // [N] of central differences, length; NaN where nothing moves, as the next two
+    double *stable_step_error; // [N] length, by the residual of the largest eigenvalue
+    double *motion_error;   // [N] difference to the standing wave at the end
+    double *steps;          // [N]
+    double *seconds;        // [N] wall time
+    int value_count;        // n
+    double *position;       // [n, 2] length
+    double *value, *wave;   // [n] the field, and the wave
+} pdmc_scalar_record;
 
 typedef struct {
     double assembly, factorisation, operators, energy_rows, sampling, energy, statistics, output, total; // wall seconds
@@ -263,8 +282,8 @@ typedef struct {
 
 typedef struct {
     // the study
-    pdmc_problem_kind kind; // a dynamic study has no tips, angles and samples; a static one has no motion; an explicit one
-                            // has nothing but texts, runtime and its own record
+    pdmc_problem_kind kind; // a dynamic study has no tips, angles and samples; a static one has no motion; an explicit one and a
+                            // scalar one have nothing but texts, runtime and their own record
     char *title, *length_unit, *force_unit, *time_unit, *input, *resolved;
     uint64_t seed;
     char *date_and_time; // ISO 8601, UTC
@@ -291,6 +310,7 @@ typedef struct {
     pdmc_motion_record motion; // of a dynamic study
     pdmc_explicit_record particles; // of an explicit study
     pdmc_ensemble_results ensemble; // ... and of its samples, where it has random quantities
+    pdmc_scalar_record scalar;      // of a scalar study
 
     // the samples
     int sample_count; // S

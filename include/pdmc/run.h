@@ -21,9 +21,10 @@ typedef struct {
 
 /// Discretises the problem and solves for the mean; then solves for every sample and summarises, or integrates the
 /// motion of a dynamic study and records it step by step; or moves the bodies of an explicit one, or brings those of a
-/// quasi-static one to rest.
+/// quasi-static one to rest; or solves the levels of a scalar one.
 /// @param[out] results  free with pdmc_results_clear(); zero on failure
-/// `options->progress` counts samples, the time steps of a dynamic or explicit study, or the loads of a quasi-static one; it is called with 0 done as well, before
+/// `options->progress` counts samples, the time steps of a dynamic or explicit study, the loads of a quasi-static one, or the
+/// levels of a scalar one; it is called with 0 done as well, before
 /// and between what comes before them.
 /// @return PDMC_OK (also when stopped early, see pdmc_monte_carlo()), PDMC_ERR_INTERRUPTED when stopped before there is
 /// anything to save, or the failure of a step

@@ -19,17 +19,25 @@ static bool draws_samples(const pdmc_study *study)
     return study->problem.kind == PDMC_STATIC || (study->problem.kind == PDMC_EXPLICIT && is_random);
 }
 
+static const char *named(pdmc_problem_kind kind)
+{
+    static const char *const names[] = {
+        [PDMC_STATIC] = "a static",
+        [PDMC_DYNAMIC] = "a dynamic",
+        [PDMC_EXPLICIT] = "this explicit",
+        [PDMC_QUASI_STATIC] = "a quasi-static",
+        [PDMC_SCALAR] = "a scalar",
+    };
+    return names[kind];
+}
+
 static pdmc_status read_study(const arguments *given, pdmc_study *study)
 {
-    static const char *const kinds[] = {[PDMC_STATIC] = "a static",
-                                        [PDMC_DYNAMIC] = "a dynamic",
-                                        [PDMC_EXPLICIT] = "an explicit",
-                                        [PDMC_QUASI_STATIC] = "a quasi-static"};
     pdmc_status status = pdmc_study_read(given->input, study);
     if (status != PDMC_OK) return status;
     if (!draws_samples(study) && (given->has_seed || given->samples > 0) && !given->quiet)
         fprintf(stderr, "pdmc: warning: %s study draws no samples, their number and seed change nothing\n",
-                study->problem.kind == PDMC_EXPLICIT ? "this explicit" : kinds[study->problem.kind]);
+                named(study->problem.kind));
     if (given->has_seed) study->problem.sampling.seed = given->seed;
     if (given->has_seed) status = pdmc_study_resolve(study);
     if (given->samples > 0 && status == PDMC_OK && draws_samples(study))
@@ -57,6 +65,7 @@ static void print_results(const pdmc_results *results, const char *path)
 static const char *counted(pdmc_problem_kind kind, bool draws)
 {
     if (draws) return "samples";
+    if (kind == PDMC_SCALAR) return "levels";
     return kind == PDMC_QUASI_STATIC ? "loads" : "time steps";
 }
 
@@ -73,6 +82,7 @@ static int count_done(const pdmc_results *results)
     case PDMC_STATIC: return results->sample_count;
     case PDMC_DYNAMIC: return results->motion.time_count - 1;
     case PDMC_QUASI_STATIC: return results->particles.record_count - 1;
+    case PDMC_SCALAR: return results->scalar.level_count;
     case PDMC_EXPLICIT: break;
     }
     return has_samples(results) ? results->ensemble.sample_count : (int)results->particles.steps;
@@ -118,6 +128,8 @@ static void warn_of_memory(double bytes)
 
 static double bytes_of(const pdmc_study *study, int threads)
 {
+    if (study->problem.kind == PDMC_SCALAR)
+        return pdmc_scalar_cost_of(&study->scalar, study->scalar.levels - 1, threads).bytes;
     if (pdmc_is_of_bodies(study->problem.kind)) return pdmc_run_ensemble_cost(study, threads).bytes;
     return pdmc_run_cost(&study->problem, threads).bytes;
 }
@@ -208,12 +220,35 @@ static pdmc_status check_explicit(const pdmc_study *study, int threads)
     return PDMC_OK;
 }
 
+static pdmc_status check_scalar(const pdmc_study *study, int threads)
+{
+    const pdmc_scalar *scalar = &study->scalar;
+    const pdmc_scalar_cost last = pdmc_scalar_cost_of(scalar, scalar->levels - 1, threads);
+    double seconds = 0.0;
+    for (int level = 0; level < scalar->levels; level++) seconds += pdmc_scalar_cost_of(scalar, level, threads).seconds;
+    printf("%s\n# %d levels, the last one of about %.3g elements and %.2g entries", study->resolved, scalar->levels,
+           last.elements, last.entries);
+    print_cost_and_threads(last.bytes, seconds, threads);
+    return PDMC_OK;
+}
+
+static pdmc_status check_study(const pdmc_study *study, int threads)
+{
+    switch (study->problem.kind) {
+    case PDMC_EXPLICIT:
+    case PDMC_QUASI_STATIC: return check_explicit(study, threads);
+    case PDMC_SCALAR: return check_scalar(study, threads);
+    case PDMC_STATIC:
+    case PDMC_DYNAMIC: break;
+    }
+    return check_plate(study, threads);
+}
+
 int check_command(const arguments *given)
 {
     pdmc_study study = {0};
     pdmc_status status = read_study(given, &study);
-    const bool is_of_bodies = pdmc_is_of_bodies(study.problem.kind);
-    if (status == PDMC_OK) status = (is_of_bodies ? check_explicit : check_plate)(&study, given->threads);
+    if (status == PDMC_OK) status = check_study(&study, given->threads);
     if (status == PDMC_OK && !given->quiet) warn_of_memory(bytes_of(&study, given->threads));
     pdmc_study_clear(&study);
     return status == PDMC_OK ? EX_OK : fail(status);

@@ -3,6 +3,7 @@
 #include "galerkin/solve.h"
 #include "pdmc/random.h"
 
+#include <float.h>
 #include <lapacke.h>
 #include <math.h>
 #include <string.h>
@@ -48,7 +49,7 @@ static double take_vector(lanczos *l, const pdmc_form *mass, double all[])
     return norm;
 }
 
-// The largest eigenvalue of T, and the residual of its vector.
+// The largest eigenvalue of T, and the residual of its vector with the rounding of the steps.
 static pdmc_status look(const lanczos *l, double *largest, double *error)
 {
     pdmc_status status = PDMC_OK;
@@ -60,7 +61,7 @@ static pdmc_status look(const lanczos *l, double *largest, double *error)
     const int info = LAPACKE_dstev(LAPACK_COL_MAJOR, 'V', m, diagonal, other, vectors, m);
     if (info != 0) PDMC_FAIL(PDMC_ERR_EXTERN, "LAPACKE_dstev returned %d", info);
     *largest = diagonal[m - 1];
-    *error = fabs(l->other[m - 1] * vectors[m * m - 1]);
+    *error = fabs(l->other[m - 1] * vectors[m * m - 1]) + m * DBL_EPSILON * *largest;
 done:
     pdmc_free(vectors);
     return status;

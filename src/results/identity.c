@@ -40,7 +40,7 @@ pdmc_status pdmc_identity_write(hid_t file, const pdmc_results *results)
     PDMC_TRY(write_integers(file, "pdmc_version", 3, program));
     PDMC_TRY(pdmc_h5_write_text(file, "rng", "Philox4x64-10"));
     PDMC_TRY(write_integers(file, "ranks", 0, &ranks));
-    if (!pdmc_is_of_bodies(results->kind)) PDMC_TRY(write_levels(file));
+    if (pdmc_is_of_plate(results->kind)) PDMC_TRY(write_levels(file));
 
 done:
     return status;
@@ -87,7 +87,9 @@ pdmc_status pdmc_identity_read(hid_t file, const char *path, pdmc_results *resul
     if (layout[0] != VERSION_MAJOR)
         PDMC_FAIL(PDMC_ERR_DATA, "%s: a result file of version %d.%d; this pdmc reads version %d", path, layout[0],
                   layout[1], VERSION_MAJOR);
-    if (H5Lexists(file, "/explicit", H5P_DEFAULT) <= 0) PDMC_TRY(check_levels(file, path)); // it has no quantiles
+    const bool is_of_plate =
+        H5Lexists(file, "/explicit", H5P_DEFAULT) <= 0 && H5Lexists(file, "/scalar", H5P_DEFAULT) <= 0;
+    if (is_of_plate) PDMC_TRY(check_levels(file, path)); // others have no quantiles
     PDMC_TRY(pdmc_h5_read_numbers(file, "pdmc_version", H5T_NATIVE_INT, 3, program));
     PDMC_NEW(results->pdmc_version, VERSION_TEXT);
     snprintf(results->pdmc_version, VERSION_TEXT, "%d.%d.%d", program[0], program[1], program[2]);

@@ -6,6 +6,7 @@
 #define MOTION "/motion/" // the group that only dynamic studies have
 #define EXPLICIT "/explicit/" // ... and that only explicit and quasi-static ones have
 #define REST EXPLICIT "rest/" // ... and only the latter
+#define SCALAR "/scalar/" // ... and scalar ones
 #define PEAK_MEMORY "/runtime/peak_memory"
 #define REPLICATES "/statistics/replicates"
 #define GIVEN_REST "/samples/growth_given_rest"
@@ -80,6 +81,7 @@
     REALS(EXPLICIT "samples/" #name, ensemble.name, unit, text, PDMC_DIM_DRAW, PDMC_DIM_DRAWN_TIP, __VA_ARGS__)
 #define SUMMARY(name, unit, text, ...)                                                                                 \
     ESTIMATES(EXPLICIT "statistics/" #name, ensemble.name, unit, text, PDMC_DIM_DRAWN_TIP, __VA_ARGS__)
+#define LEVEL(name, unit, text) REALS(SCALAR "levels/" #name, scalar.name, unit, text, PDMC_DIM_LEVEL)
 #define SECONDS(name, text) NUMBER("/runtime/" #name, REAL, runtime.name, TIME, "wall time of " text)
 
 // An axis is sized by the first dataset that has it, so each count comes with an array that holds little else.
@@ -241,6 +243,25 @@ const pdmc_dataset pdmc_datasets[] = {
           PDMC_DIM_DRAWN_TIP, PDMC_DIM_STATION),
     SUMMARY(path_mean, LENGTH, "mean of these paths", PDMC_DIM_STATION),
     SUMMARY(path_quantiles, LENGTH, "5, 50 and 95 % quantiles of these paths", PDMC_DIM_STATION, PDMC_DIM_QUANTILE),
+    NUMBER(SCALAR "dimension", INT, scalar.dimension, NONE, "of space"),
+    NUMBER(SCALAR "power", REAL, scalar.power, NONE, "p of the kernel c(r) ~ r^-p"),
+    NUMBER(SCALAR "wave_number", REAL, scalar.wave_number, NONE, "|k| of the wave, 1 / length"),
+    LEVEL(spacing, LENGTH, "longest edge of an element"),
+    LEVEL(horizon, LENGTH, "length of the longest bond"),
+    LEVEL(elements, NONE, "elements, those of the layer included"),
+    LEVEL(unknowns, NONE, "values that are free"),
+    LEVEL(entries, NONE, "entries of the form"),
+    LEVEL(error, NONE, "root of the mean square difference to the wave"),
+    LEVEL(classical, NONE, "... to classical elements on the same mesh, NaN where the spacing varies"),
+    LEVEL(stable_step, LENGTH, "longest stable step of central differences, NaN where nothing moves"),
+    LEVEL(stable_step_error, LENGTH, "... its error by the residual of the largest eigenvalue"),
+    LEVEL(motion_error, NONE, "root of the mean square difference to the standing wave at the end, NaN where nothing moves"),
+    LEVEL(steps, NONE, "steps of the motion, NaN where nothing moves"),
+    LEVEL(seconds, TIME, "wall time of the level"),
+    REALS(SCALAR "values/position", scalar.position, LENGTH, "where each value of the last level is", PDMC_DIM_VALUE,
+          PDMC_DIM_COORDINATE),
+    REALS(SCALAR "values/field", scalar.value, NONE, "the steady field", PDMC_DIM_VALUE),
+    REALS(SCALAR "values/wave", scalar.wave, NONE, "the wave", PDMC_DIM_VALUE),
 
     REALS("/samples/load_factor", load_factor, NONE, "factor on the loads", PDMC_DIM_SAMPLE),
     REALS("/samples/micromodulus", micromodulus, NONE, "c(r) / c_0 in equal bins of [0, horizon]", PDMC_DIM_KEPT,
@@ -369,7 +390,7 @@ const char *const pdmc_run_status_names[] = {
     [PDMC_RUN_NOT_FINITE] = "not_finite", [PDMC_RUN_NO_REST] = "no_rest"};
 static const char *const kind_names[] = {
     [PDMC_STATIC] = "static", [PDMC_DYNAMIC] = "dynamic", [PDMC_EXPLICIT] = "explicit",
-    [PDMC_QUASI_STATIC] = "quasi_static"};
+    [PDMC_QUASI_STATIC] = "quasi_static", [PDMC_SCALAR] = "scalar"};
 static const char *const bond_names[] = {[PDMC_BONDS_ALL] = "all", [PDMC_BONDS_TENSILE] = "tensile"};
 
 #define ATTRIBUTE(object, kind, name, member) {object, name, PDMC_ATTRIBUTE_##kind, MEMBER(member), NULL, 0}
@@ -436,6 +457,8 @@ static const struct {
     [PDMC_DIM_DRAWN_TIP] = {"tip", MEMBER(ensemble.tip_count), true, 0},
     [PDMC_DIM_STATION] = {"station", MEMBER(ensemble.station_count), true, 0},
     [PDMC_DIM_OUTCOME] = {"still, arrested, running, through", 0, false, PDMC_OUTCOMES},
+    [PDMC_DIM_LEVEL] = {"level", MEMBER(scalar.level_count), true, 0},
+    [PDMC_DIM_VALUE] = {"value", MEMBER(scalar.value_count), true, 0},
     [PDMC_DIM_AXIS] = {"x, y, z", 0, false, PDMC_AXES},
     [PDMC_DIM_CONTROLLED_TIP] = {"tip with a control", MEMBER(control.tip_count), true, 0},
     [PDMC_DIM_QUANTILE] = {"quantile level", 0, false, PDMC_QUANTILES},
@@ -472,18 +495,30 @@ static bool is_in(const char *path, const char *group)
     return strncmp(path, group, strlen(group)) == 0;
 }
 
+// The group that studies of a kind have instead of a plate's; NULL for those of plates.
+static const char *group_of(pdmc_problem_kind kind)
+{
+    return pdmc_is_of_bodies(kind) ? EXPLICIT : kind == PDMC_SCALAR ? SCALAR : NULL;
+}
+
+static bool is_of_plates(const char *path)
+{
+    return !is_in(path, EXPLICIT) && !is_in(path, SCALAR);
+}
+
 bool pdmc_dataset_belongs(const pdmc_results *results, const pdmc_dataset *dataset)
 {
-    const bool is_explicit = is_in(dataset->path, EXPLICIT);
     if (is_in(dataset->path, REST) && results->kind != PDMC_QUASI_STATIC) return false;
-    if (pdmc_is_of_bodies(results->kind)) return is_explicit || is_in(dataset->path, "/runtime/");
-    return !is_explicit && (results->kind == PDMC_DYNAMIC || !is_in(dataset->path, MOTION));
+    const char *group = group_of(results->kind);
+    if (group) return is_in(dataset->path, group) || is_in(dataset->path, "/runtime/");
+    return is_of_plates(dataset->path) && (results->kind == PDMC_DYNAMIC || !is_in(dataset->path, MOTION));
 }
 
 bool pdmc_attribute_belongs(const pdmc_results *results, const pdmc_attribute *attribute)
 {
     if (strcmp(attribute->object, "/") == 0) return true;
-    return is_in(attribute->object, EXPLICIT) == pdmc_is_of_bodies(results->kind);
+    const char *group = group_of(results->kind);
+    return group ? is_in(attribute->object, group) : is_of_plates(attribute->object);
 }
 
 bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset)

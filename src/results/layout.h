@@ -39,6 +39,8 @@ typedef enum {
     PDMC_DIM_DRAWN_TIP,
     PDMC_DIM_STATION,
     PDMC_DIM_OUTCOME,
+    PDMC_DIM_LEVEL,
+    PDMC_DIM_VALUE,
     PDMC_DIM_CONTROLLED_TIP,
     PDMC_DIM_QUANTILE,
     PDMC_DIM_COORDINATE,
@@ -95,7 +97,7 @@ int *pdmc_dimension_field(pdmc_results *results, pdmc_dimension dimension, int *
 size_t pdmc_dimension_size(const pdmc_results *results, pdmc_dimension dimension);
 
 /// Whether the file of these results has the dataset, or the attribute: only a dynamic study has a motion, and an explicit
-/// one has nothing of a plate.
+/// or a scalar one has nothing of a plate.
 bool pdmc_dataset_belongs(const pdmc_results *results, const pdmc_dataset *dataset);
 bool pdmc_attribute_belongs(const pdmc_results *results, const pdmc_attribute *attribute);
 

@@ -9,6 +9,7 @@
 #include "run/family.h"
 #include "run/motion.h"
 #include "run/quasi_static.h"
+#include "run/scalar.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -218,6 +219,7 @@ pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, p
     PDMC_TRY(describe_study(study, results));
     if (problem->kind == PDMC_QUASI_STATIC) PDMC_TRY(pdmc_run_quasi_static(&study->motion, options, results));
     else if (problem->kind == PDMC_EXPLICIT) PDMC_TRY(pdmc_run_ensemble(study, options, results));
+    else if (problem->kind == PDMC_SCALAR) PDMC_TRY(pdmc_run_scalar(&study->scalar, options, results));
     else PDMC_TRY(run_plate(problem, options, results));
     results->runtime.total = pdmc_seconds() - start;
     results->runtime.output = NAN; // measured where the file is made

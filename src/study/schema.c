@@ -12,6 +12,7 @@
 #define ONLY(quantity) (1U << (quantity))
 #define IN_PROBLEM(field) offsetof(pdmc_problem, field)
 #define IN_MOTION(field) offsetof(pdmc_explicit, field)
+#define IN_SCALAR(field) offsetof(pdmc_scalar, field)
 #define OF(kind) .kinds = ONLY(kind)
 #define FOR(bits) .solvers = (bits)
 #define ANALYTIC ONLY(SOLVER_ANALYTIC)
@@ -146,10 +147,24 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
                          .doc = "of a quasi-static study: loads from 0 on, each brought to rest by dynamic relaxation"},
     [SECTION_RECORD] = {.name = "record", .doc = "of bodies of bonds: what is kept", OF_BODIES,
                         .check = pdmc_study_check_record},
+    [SECTION_DOMAIN] = {.name = "domain", OF(PDMC_SCALAR),
+                        .doc = "of a scalar study: an interval or a rectangle, its middle at the origin; the field is "
+                               "prescribed in a layer round it as wide as the horizon"},
+    [SECTION_KERNEL] = {.name = "kernel", OF(PDMC_SCALAR), .check = pdmc_study_check_kernel,
+                        .doc = "of a scalar study: c(r) of L u = int c (u' - u), scaled so that long waves see the "
+                               "Laplacian"},
+    [SECTION_ELEMENTS] = {.name = "elements", OF(PDMC_SCALAR), .check = pdmc_study_check_elements,
+                          .doc = "of a scalar study: linear finite elements, intervals or triangles"},
+    [SECTION_WAVE] = {.name = "wave", OF(PDMC_SCALAR), .check = pdmc_study_check_wave,
+                      .doc = "of a scalar study: the solution sin(k.x + phase), whose source and values in the layer are given"},
+    [SECTION_CONVERGENCE] = {.name = "convergence", OF(PDMC_SCALAR), .check = pdmc_study_check_convergence,
+                             .doc = "of a scalar study: what is halved from level to level"},
+    [SECTION_MARCH] = {.name = "motion", OF(PDMC_SCALAR), .check = pdmc_study_check_march,
+                       .doc = "of a scalar study: the wave standing and swinging, by central differences"},
 };
 
 // In the order of the enumerations in pdmc/problem.h.
-#define STUDY_KINDS CHOICES("static", "dynamic", "explicit", "quasi_static")
+#define STUDY_KINDS CHOICES("static", "dynamic", "explicit", "quasi_static", "scalar")
 #define ASSUMPTIONS CHOICES("plane_stress", "plane_strain")
 #define SIDES CHOICES("left", "right", "bottom", "top")
 #define FACES CHOICES("none", "left", "right")
@@ -178,12 +193,17 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define SHAPES CHOICES("box", "cylinder", "ball")
 #define BODY_SHAPES CHOICES("box", "cylinder", "ball", "nodes")
 #define PLANAR_CRACKS CHOICES("segment", "disc", "rectangle")
+#define SPACES CHOICES("continuous", "discontinuous", "mixed")
+#define MIXED ONLY(PDMC_SPACE_MIXED)
+#define OUTER_RULES CHOICES("exact", "gauss", "edges")
+#define INNER_RULES CHOICES("exact", "polynomial", "careless")
 #define CONDITIONS CHOICES("velocity", "force", "displacement")
 
 const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_TOP, "kind", KIND_CHOICE, .offset = IN_PROBLEM(kind), .choices = STUDY_KINDS, .fallback = "static",
      .doc = "equilibrium and energy release rates; motion under a history of the load; motion with growing cracks, "
-            "impact and contact; or growing cracks under loads so slow that bodies are at rest"},
+            "impact and contact; growing cracks under loads so slow that bodies are at rest; or a scalar field by "
+            "finite elements, refined from level to level"},
     {SECTION_TOP, "title", KIND_TEXT, .offset = IN_PROBLEM(title), .fallback = "untitled",
      .doc = "what the study is about, for headings"},
     {SECTION_TOP, "seed", KIND_SEED, .range = NOT_NEGATIVE, .offset = IN_PROBLEM(sampling.seed), .fallback = "1",
@@ -555,6 +575,53 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .flag = IN_MOTION(has_speed_window), .fallback = "10 intervals",
      .doc = "of time, over which the speed of a tip is taken by central differences, and in which a tip that has been arrested does "
             "not move"},
+
+    {SECTION_DOMAIN, "dimension", KIND_INT, .range = FROM_TO(1, 2), .offset = IN_SCALAR(dimension), .doc = "of space"},
+    {SECTION_DOMAIN, "width", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_SCALAR(width), .doc = "extent in x"},
+    {SECTION_DOMAIN, "height", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_SCALAR(height), WHERE("dimension", PLANE),
+     .doc = "extent in y"},
+
+    {SECTION_KERNEL, "horizon", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_SCALAR(horizon),
+     .doc = "delta, length of the longest bond, at the first level"},
+    {SECTION_KERNEL, "power", KIND_REAL, .range = {0.0, 2.0, false, true}, .offset = IN_SCALAR(power), .fallback = "1.0",
+     .doc = "p of c(r) ~ r^-p; 1 is 2 / (delta^2 r) in one dimension and 6 / (pi delta^3 r) in two"},
+    {SECTION_KERNEL, "weights", KIND_REALS, .range = NOT_NEGATIVE, .offset = IN_SCALAR(weights),
+     .flag = IN_SCALAR(weight_count), .fallback = "none",
+     .doc = "[w1, w2, ...] on r^-p in equal bins of [0, horizon]; 1 throughout without any"},
+
+    {SECTION_ELEMENTS, "space", KIND_CHOICE, .offset = IN_SCALAR(space), .choices = SPACES, .fallback = "continuous",
+     .doc = "of functions that are linear in each element; mixed is discontinuous between rough_from and rough_to"},
+    {SECTION_ELEMENTS, "cells", KIND_INT, .range = FROM_TO(2, 100000), .offset = IN_SCALAR(cells),
+     .doc = "along the width, at the first level; in two dimensions two triangles each"},
+    {SECTION_ELEMENTS, "outer", KIND_CHOICE, .offset = IN_SCALAR(outer), .choices = OUTER_RULES, .fallback = "gauss",
+     .doc = "integral: exact, in one dimension only; by Gauss points inside the elements, of degree 5; or by points on their "
+            "edges"},
+    {SECTION_ELEMENTS, "inner", KIND_CHOICE, .offset = IN_SCALAR(inner), .choices = INNER_RULES, .fallback = "exact",
+     .doc = "integral from an outer point: exact over the part of an element in the horizon; there by a rule for "
+            "polynomials; or careless, by points of the whole element"},
+    {SECTION_ELEMENTS, "parts", KIND_INT, .range = FROM_TO(1, 64), .offset = IN_SCALAR(parts), .fallback = "1",
+     .doc = "of each side of an element, every one with the outer rule"},
+    {SECTION_ELEMENTS, "rough_from", KIND_REAL, UNIT_LENGTH, ANY, IN_SCALAR(rough_from), WHERE("space", MIXED),
+     .doc = "least x of the middles of rough elements"},
+    {SECTION_ELEMENTS, "rough_to", KIND_REAL, UNIT_LENGTH, ANY, IN_SCALAR(rough_to), WHERE("space", MIXED),
+     .doc = "largest x of the middles of rough elements"},
+
+    {SECTION_WAVE, "length", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_SCALAR(wave_length), .doc = "2 pi / |k|"},
+    {SECTION_WAVE, "angle", KIND_REAL, .range = ANY, .offset = IN_SCALAR(angle), .fallback = "0.0",
+     .doc = "of k from the x axis, in degrees; 0 in one dimension"},
+    {SECTION_WAVE, "phase", KIND_REAL, .range = ANY, .offset = IN_SCALAR(phase), .fallback = "30.0",
+     .doc = "in degrees; other than 0 and 90 there is no symmetry that hides errors"},
+
+    {SECTION_CONVERGENCE, "vary", KIND_CHOICE, .offset = IN_SCALAR(vary), .choices = CHOICES("spacing", "horizon"),
+     .fallback = "spacing",
+     .doc = "the spacing at a fixed horizon, to the nonlocal wave; or the horizon on a fixed mesh, to classical elements"},
+    {SECTION_CONVERGENCE, "levels", KIND_INT, .range = FROM_TO(2, 12), .offset = IN_SCALAR(levels), .fallback = "4",
+     .doc = "each with half of the one before"},
+
+    {SECTION_MARCH, "duration", KIND_OPTIONAL, UNIT_LENGTH, POSITIVE, IN_SCALAR(duration),
+     .flag = IN_SCALAR(has_duration), .fallback = "none", .doc = "of the motion, a length since waves have speed 1; none without it"},
+    {SECTION_MARCH, "safety", KIND_REAL, .range = ABOVE_TO(0.0, 1.0), .offset = IN_SCALAR(safety), .fallback = "0.2",
+     .doc = "the step over the longest stable one at the first level, halved with the spacing"},
     {.key = NULL},
 };
 
@@ -570,7 +637,9 @@ _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == si
                    sizeof(pdmc_covariance_kind) == sizeof(int) && sizeof(pdmc_design_kind) == sizeof(int) &&
                    sizeof(pdmc_rare_method) == sizeof(int) && sizeof(pdmc_target) == sizeof(int) &&
                    sizeof(pdmc_volume_rule) == sizeof(int) && sizeof(pdmc_shape_kind) == sizeof(int) &&
-                   sizeof(pdmc_planar_crack_kind) == sizeof(int) && sizeof(pdmc_condition_kind) == sizeof(int),
+                   sizeof(pdmc_planar_crack_kind) == sizeof(int) && sizeof(pdmc_vary) == sizeof(int) &&
+                   sizeof(pdmc_space_kind) == sizeof(int) && sizeof(pdmc_outer_rule) == sizeof(int) &&
+                   sizeof(pdmc_inner_rule) == sizeof(int) && sizeof(pdmc_condition_kind) == sizeof(int),
                "enumerations of another size");
 
 pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem)
@@ -610,8 +679,10 @@ bool pdmc_study_setting_of_kind(const pdmc_study_setting *setting, pdmc_problem_
     return setting->kinds == 0 || setting->kinds & ONLY(kind);
 }
 
-void *pdmc_study_home(const pdmc_study_section *section, const pdmc_problem *problem, const pdmc_explicit *motion)
+void *pdmc_study_home(const pdmc_study_section *section, const pdmc_problem *problem, const pdmc_explicit *motion,
+                      const pdmc_scalar *scalar)
 {
+    if (section->kinds == ONLY(PDMC_SCALAR)) return (void *)scalar;
     const unsigned of_bodies = ONLY(PDMC_EXPLICIT) | ONLY(PDMC_QUASI_STATIC);
     return section->kinds != 0 && (section->kinds & ~of_bodies) == 0 ? (void *)motion : (void *)problem;
 }

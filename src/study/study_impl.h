@@ -78,6 +78,12 @@ typedef enum {
     SECTION_TIME,
     SECTION_LOADING,
     SECTION_RECORD,
+    SECTION_DOMAIN,
+    SECTION_KERNEL,
+    SECTION_ELEMENTS,
+    SECTION_WAVE,
+    SECTION_CONVERGENCE,
+    SECTION_MARCH,
     SECTIONS
 } pdmc_study_section_id;
 
@@ -174,8 +180,9 @@ bool pdmc_study_setting_of_kind(const pdmc_study_setting *setting, pdmc_problem_
 pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem);
 /// The setting of that name, or NULL.
 const pdmc_study_setting *pdmc_study_find_setting(pdmc_study_section_id section, const char *key);
-/// Where the settings of a section are kept: in the problem of a plate, or in that of explicit dynamics.
-void *pdmc_study_home(const pdmc_study_section *section, const pdmc_problem *problem, const pdmc_explicit *motion);
+/// Where the settings of a section are kept: in the problem of a plate, in that of explicit dynamics, or in the scalar one.
+void *pdmc_study_home(const pdmc_study_section *section, const pdmc_problem *problem, const pdmc_explicit *motion,
+                      const pdmc_scalar *scalar);
 /// Whether a study of this kind has the section.
 bool pdmc_study_section_belongs(const pdmc_study_section *section, pdmc_problem_kind kind);
 void pdmc_study_print_unit(FILE *out, pdmc_study_unit unit, const pdmc_study_units *units);
@@ -206,6 +213,7 @@ struct pdmc_study_reader {
     const config_setting_t *root;
     pdmc_problem *problem; // filled section by section
     pdmc_explicit *motion; // ... too
+    pdmc_scalar *scalar;   // ...
     FILE *warnings;
 };
 
@@ -323,3 +331,10 @@ PDMC_NODISCARD pdmc_status pdmc_study_check_spheres(const pdmc_study_reader *rea
 PDMC_NODISCARD pdmc_status pdmc_study_check_loading(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_time(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_record(const pdmc_study_reader *reader);
+
+// ... of a scalar study (check_scalar.c)
+PDMC_NODISCARD pdmc_status pdmc_study_check_kernel(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_elements(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_wave(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_convergence(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_march(const pdmc_study_reader *reader);

@@ -8,6 +8,13 @@
 
 #include <string.h>
 
+static const char *named(pdmc_problem_kind kind)
+{
+    static const char *const names[] = {
+        [PDMC_EXPLICIT] = "an explicit", [PDMC_QUASI_STATIC] = "a quasi-static", [PDMC_SCALAR] = "a scalar"};
+    return names[kind];
+}
+
 static const char *kind_name(const pdmc_results *r)
 {
     return r->kind == PDMC_DYNAMIC ? "dynamic" : "static";
@@ -24,9 +31,9 @@ pdmc_status pdmc_comparison_check(const pdmc_comparison *c)
 {
     const pdmc_results *a = c->results[0], *b = c->results[1];
     for (int i = 0; i < PDMC_COMPARED; i++)
-        if (pdmc_is_of_bodies(c->results[i]->kind))
+        if (!pdmc_is_of_plate(c->results[i]->kind))
             return pdmc_raise(PDMC_ERR_DATA, "%s is of %s study, which is not compared yet", c->labels[i],
-                              c->results[i]->kind == PDMC_EXPLICIT ? "an explicit" : "a quasi-static");
+                              named(c->results[i]->kind));
     if (a->kind != b->kind)
         return pdmc_raise(PDMC_ERR_DATA, "%s is of a %s study and %s of a %s one", c->labels[0], kind_name(a),
                           c->labels[1], kind_name(b));

@@ -17,6 +17,10 @@ void pdmc_csv_column(FILE *stream, const char *name, const char *unit);
 void pdmc_csv_number(FILE *stream, double x);
 void pdmc_csv_numbers(FILE *stream, int count, const double x[]);
 
+/// Of a scalar study: a row a level, and a row a value of the last one.
+pdmc_status pdmc_csv_levels(const pdmc_results *results, FILE *stream);
+pdmc_status pdmc_csv_values(const pdmc_results *results, FILE *stream);
+
 /// Of an explicit study: a row a record, a row a node of the last snapshot, and a row a piece of that.
 pdmc_status pdmc_csv_records(const pdmc_results *results, FILE *stream);
 pdmc_status pdmc_csv_nodes(const pdmc_results *results, FILE *stream);

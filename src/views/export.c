@@ -280,6 +280,18 @@ static pdmc_status write_paths(const pdmc_results *r, const csv_units *units, FI
     return pdmc_csv_paths(r, stream);
 }
 
+static pdmc_status write_levels(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    (void)units;
+    return pdmc_csv_levels(r, stream);
+}
+
+static pdmc_status write_values(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    (void)units;
+    return pdmc_csv_values(r, stream);
+}
+
 /// Writes through a stream of its own, since the descriptor belongs to the file.
 static pdmc_status write_stream(pdmc_whole_file *file, const pdmc_results *r, const csv_units *units, csv_writer *write)
 {
@@ -339,6 +351,8 @@ static const csv_file files[] = {
     {"fragments.csv", write_fragments, PDMC_EXPLICIT},
     {"samples.csv", write_draws, PDMC_EXPLICIT},
     {"paths.csv", write_paths, PDMC_EXPLICIT},
+    {"levels.csv", write_levels, PDMC_SCALAR},
+    {"values.csv", write_values, PDMC_SCALAR},
 };
 
 static bool is_wanted(const pdmc_results *r, const csv_file *file)

@@ -230,7 +230,8 @@ static json_t *everything(const pdmc_results *r)
         [PDMC_STATIC] = "static",
         [PDMC_DYNAMIC] = "dynamic",
         [PDMC_EXPLICIT] = "explicit",
-        [PDMC_QUASI_STATIC] = "quasi_static"};
+        [PDMC_QUASI_STATIC] = "quasi_static",
+        [PDMC_SCALAR] = "scalar"};
     json_t *object = json_object();
     pdmc_json_put(&object, "kind", pdmc_json_text(kinds[r->kind]));
     pdmc_json_put(&object, "title", pdmc_json_text(r->title));
@@ -238,9 +239,10 @@ static json_t *everything(const pdmc_results *r)
     pdmc_json_put(&object, "pdmc_version", pdmc_json_text(r->pdmc_version));
     pdmc_json_put(&object, "git_sha1", pdmc_json_text(r->git_sha1));
     pdmc_json_put(&object, "status", pdmc_json_text(pdmc_run_status_names[r->status]));
-    if (!pdmc_is_of_bodies(r->kind)) put_samples(r, &object);
+    if (pdmc_is_of_plate(r->kind)) put_samples(r, &object);
     pdmc_json_put(&object, "units", pdmc_json_units(r));
     if (pdmc_is_of_bodies(r->kind)) pdmc_json_put(&object, kinds[r->kind], pdmc_json_explicit(&r->particles));
+    else if (r->kind == PDMC_SCALAR) pdmc_json_put(&object, "scalar", pdmc_json_scalar(&r->scalar));
     else put_plate(r, &object);
     if (r->ensemble.sample_count > 0) pdmc_json_put(&object, "ensemble", pdmc_json_ensemble(r));
     pdmc_json_put(&object, "runtime", pdmc_json_runtime(&r->runtime));

@@ -35,6 +35,8 @@ json_t *pdmc_json_explicit(const pdmc_explicit_record *record);
 
 /// ... and what its samples say.
 json_t *pdmc_json_ensemble(const pdmc_results *r);
+/// The levels of a scalar study.
+json_t *pdmc_json_scalar(const pdmc_scalar_record *record);
 
 /// Seconds, threads and memory.
 json_t *pdmc_json_runtime(const pdmc_runtime *t);

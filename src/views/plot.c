@@ -11,6 +11,8 @@ typedef enum {
     OF_ENERGIES,
     OF_DISPLACEMENTS,
     OF_PLATE,
+    OF_SCALAR_CONVERGENCE,
+    OF_SCALAR_FIELD,
     OF_EXPLICIT_ENERGIES,
     OF_EXPLICIT_TIPS,
     OF_LOAD_DISPLACEMENT,
@@ -31,6 +33,8 @@ static pdmc_status draw(const pdmc_results *r, subject of, int tip, pdmc_measure
     case OF_ENERGIES: pdmc_draw_motion_energies(r, figure); break;
     case OF_DISPLACEMENTS: pdmc_draw_motion_displacements(r, figure); break;
     case OF_PLATE: pdmc_draw_plate(r, figure); break;
+    case OF_SCALAR_CONVERGENCE: pdmc_draw_scalar_convergence(r, figure); break;
+    case OF_SCALAR_FIELD: pdmc_draw_scalar_field(r, figure); break;
     case OF_EXPLICIT_ENERGIES: pdmc_draw_explicit_energies(r, figure); break;
     case OF_EXPLICIT_TIPS: pdmc_draw_explicit_tips(r, figure); break;
     case OF_LOAD_DISPLACEMENT: pdmc_draw_load_displacement(r, figure); break;
@@ -139,13 +143,25 @@ done:
     return status;
 }
 
+static pdmc_status plot_scalar(const pdmc_results *r, const char *folder)
+{
+    pdmc_status status = PDMC_OK;
+    PDMC_TRY(plot(r, folder, "convergence", OF_SCALAR_CONVERGENCE, 0, r->measure));
+    PDMC_TRY(plot(r, folder, "field", OF_SCALAR_FIELD, 0, r->measure));
+
+done:
+    return status;
+}
+
 pdmc_status pdmc_view_plot(const pdmc_results *results, const char *folder)
 {
     pdmc_status status = PDMC_OK;
     pdmc_locale locale;
     PDMC_TRY(pdmc_locale_plain(&locale));
     PDMC_TRY(pdmc_folder_make(folder));
-    PDMC_TRY((pdmc_is_of_bodies(results->kind) ? plot_explicit : plot_plate)(results, folder));
+    if (pdmc_is_of_bodies(results->kind)) PDMC_TRY(plot_explicit(results, folder));
+    else if (results->kind == PDMC_SCALAR) PDMC_TRY(plot_scalar(results, folder));
+    else PDMC_TRY(plot_plate(results, folder));
 
 done:
     pdmc_locale_restore(&locale);

@@ -28,6 +28,10 @@ void pdmc_draw_motion_energies(const pdmc_results *r, const pdmc_figure *figure)
 /// The displacements of the probes over time.
 void pdmc_draw_motion_displacements(const pdmc_results *r, const pdmc_figure *figure);
 
+/// The errors of a scalar study's levels, and its last field along the line of the wave.
+void pdmc_draw_scalar_convergence(const pdmc_results *r, const pdmc_figure *figure);
+void pdmc_draw_scalar_field(const pdmc_results *r, const pdmc_figure *figure);
+
 /// What came in and what it has become, growth of the tips, both over time, of an explicit study.
 void pdmc_draw_explicit_energies(const pdmc_results *r, const pdmc_figure *figure);
 /// The forces of conditions over their displacements, of those that move, of a quasi-static study.

@@ -53,7 +53,7 @@ static void print_sampling(const pdmc_results *r, FILE *stream)
 static void print_head(const pdmc_results *r, FILE *stream)
 {
     char text[3][PDMC_LINE_SIZE];
-    const char *counted = r->kind == PDMC_QUASI_STATIC ? "loads" : "steps";
+    const char *counted = r->kind == PDMC_QUASI_STATIC ? "loads" : r->kind == PDMC_SCALAR ? "levels" : "steps";
     fprintf(stream, "%s\n", pdmc_one_line(text[0], r->title));
     fprintf(stream, "  computed %.20s by pdmc %.16s (%.10s), %d threads, %.1f s\n",
             pdmc_one_line(text[0], r->date_and_time), pdmc_one_line(text[1], r->pdmc_version),
@@ -252,6 +252,12 @@ static void print_explicit(const pdmc_results *r, FILE *stream)
     print_memory(r->runtime.peak_memory, stream);
 }
 
+static void print_scalar(const pdmc_results *r, FILE *stream)
+{
+    pdmc_table_scalar(r, stream);
+    print_memory(r->runtime.peak_memory, stream);
+}
+
 pdmc_status pdmc_view_table(const pdmc_results *results, FILE *stream)
 {
     pdmc_locale locale;
@@ -259,6 +265,7 @@ pdmc_status pdmc_view_table(const pdmc_results *results, FILE *stream)
     if (status != PDMC_OK) return status;
     print_head(results, stream);
     if (pdmc_is_of_bodies(results->kind)) print_explicit(results, stream);
+    else if (results->kind == PDMC_SCALAR) print_scalar(results, stream);
     else print_plate(results, stream);
     pdmc_locale_restore(&locale);
     if (fflush(stream) != 0 || ferror(stream)) return pdmc_raise(PDMC_ERR_IO, "the table cannot be written");
