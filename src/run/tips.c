@@ -29,12 +29,16 @@ int pdmc_tips_of(const pdmc_explicit *study, pdmc_followed_tip tips[])
 double pdmc_tip_front(const pdmc_explicit *study, const pdmc_followed_tip *tip, int count, const double x[],
                       const double damage[])
 {
-    const double band = 2.0 * study->horizon;
-    double front = -INFINITY;
-    for (int i = 0; i < count; i++) {
-        const pdmc_ahead place = pdmc_ahead_of(tip, &x[3 * i]);
-        if (fabs(place.left) <= band && damage[i] > study->tip_damage) front = fmax(front, place.ahead);
-    }
+    const double band = 2.0 * study->horizon, gap = study->horizon;
+    double front = -INFINITY, before;
+    do { // until none is near enough to those that are reached
+        before = front;
+        for (int i = 0; i < count; i++) {
+            if (!(damage[i] > study->tip_damage)) continue;
+            const pdmc_ahead place = pdmc_ahead_of(tip, &x[PDMC_AXES * i]);
+            if (fabs(place.left) <= band && place.ahead <= fmax(0.0, front) + gap) front = fmax(front, place.ahead);
+        }
+    } while (front > before);
     return front;
 }
 

@@ -19,8 +19,9 @@ static inline pdmc_ahead pdmc_ahead_of(const pdmc_followed_tip *tip, const doubl
 }
 
 /// How far beyond the end of its crack a tip is: the largest distance, along the tip's direction, of a node whose damage
-/// exceeds `study->tip_damage` (Silling & Askari 2005, section 5), of those within two horizons of the crack's line. -infinity
-/// where there is none.
+/// exceeds `study->tip_damage` (Silling & Askari 2005, section 5), of those within two horizons of the crack's line that are
+/// reached from its end without a gap of more than a horizon: a crack that begins elsewhere is another one. -infinity where
+/// there is none.
 /// @param[in] x       [count, 3] nodes in the reference configuration
 /// @param[in] damage  [count]
 double pdmc_tip_front(const pdmc_explicit *study, const pdmc_followed_tip *tip, int count, const double x[],

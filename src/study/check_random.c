@@ -172,9 +172,21 @@ static pdmc_status check_crack(const pdmc_study_reader *reader, int index)
     return PDMC_OK;
 }
 
+// Of bonds it is drawn in classes, all of which must be positive.
+static pdmc_status check_strength(const pdmc_study_reader *reader, int index)
+{
+    const pdmc_uncertainty *u = &reader->problem->uncertainties[index];
+    double strengths[PDMC_STRENGTH_CLASSES];
+    if (u->quantity != PDMC_QUANTITY_BOND_STRENGTH || pdmc_brittle_strengths(&u->law, strengths) == PDMC_OK)
+        return PDMC_OK;
+    return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "distribution"}, "%s",
+                             pdmc_last_error());
+}
+
 static pdmc_status check_scalar(const pdmc_study_reader *reader, int index)
 {
-    const pdmc_status status = pdmc_study_make_law(reader, index);
+    pdmc_status status = pdmc_study_make_law(reader, index);
+    if (status == PDMC_OK) status = check_strength(reader, index);
     if (status != PDMC_OK) return status;
     warn_of_negative_values(reader, index);
     return check_covariance(reader, index);

@@ -26,3 +26,6 @@ pdmc_results made_up_results(made_up_size size);
 /// An explicit study of two bodies, 8 x 4 nodes in the plane or 8 x 4 x 3 in space, with two tips of which one grows at a
 /// constant speed, two spheres and three snapshots. Free with pdmc_results_clear().
 pdmc_results made_up_explicit(int dimension);
+
+/// Adds four samples of its two tips to made_up_explicit(), of which the last failed.
+void made_up_samples(pdmc_results *results);

@@ -183,3 +183,71 @@ pdmc_results made_up_explicit(int dimension)
     make_fragments(&r.particles);
     return r;
 }
+
+enum { DRAWS = 4, STATIONS = 3, BINS = 5 };
+
+static void fill(int count, double values[], double first)
+{
+    for (int i = 0; i < count; i++) values[i] = first + 0.125 * i;
+}
+
+static void fill_estimates(int count, pdmc_estimate values[], double first)
+{
+    for (int i = 0; i < count; i++) values[i] = (pdmc_estimate){first + i, first + i - 0.25, first + i + 0.25};
+}
+
+static void make_draws(pdmc_ensemble_results *e)
+{
+    double **const of_samples[] = {&e->load, &e->velocity, &e->youngs_modulus, &e->fracture_energy, &e->fracture};
+    double **const of_tips[] = {&e->growth, &e->begin, &e->mean_speed, &e->most_speed};
+    NEW(e->failure, DRAWS);
+    NEW(e->outcome, DRAWS * TIPS);
+    NEW(e->end, 2 * DRAWS * TIPS);
+    NEW(e->station, STATIONS);
+    NEW(e->path, DRAWS * TIPS * STATIONS);
+    for (int k = 0; k < 5; k++) {
+        NEW(*of_samples[k], DRAWS);
+        fill(DRAWS, *of_samples[k], 1.0 + k);
+    }
+    for (int k = 0; k < 4; k++) {
+        NEW(*of_tips[k], DRAWS * TIPS);
+        fill(DRAWS * TIPS, *of_tips[k], 10.0 * (k + 1));
+    }
+    for (int i = 0; i < DRAWS * TIPS; i++) e->outcome[i] = (uint8_t)(i % PDMC_OUTCOMES);
+    fill(2 * DRAWS * TIPS, e->end, -1.0);
+    fill(STATIONS, e->station, 0.0);
+    fill(DRAWS * TIPS * STATIONS, e->path, -0.5);
+    e->failure[DRAWS - 1] = PDMC_SAMPLE_DIVERGED;
+    e->growth[(DRAWS - 1) * TIPS] = e->path[STATIONS - 1] = NAN;
+}
+
+void made_up_samples(pdmc_results *results)
+{
+    pdmc_ensemble_results *e = &results->ensemble;
+    results->histogram_bins = BINS;
+    e->sample_count = DRAWS;
+    e->failed_count = 1;
+    e->tip_count = TIPS;
+    e->station_count = STATIONS;
+    make_draws(e);
+    NEW(e->share, TIPS * PDMC_OUTCOMES);
+    NEW(e->mean_growth, TIPS);
+    NEW(e->deviation, TIPS);
+    NEW(e->growth_quantiles, TIPS * PDMC_QUANTILES);
+    NEW(e->growth_edges, TIPS * (BINS + 1));
+    NEW(e->growth_counts, TIPS * (BINS + 2));
+    NEW(e->growth_density, TIPS * BINS);
+    NEW(e->path_samples, TIPS * STATIONS);
+    NEW(e->path_mean, TIPS * STATIONS);
+    NEW(e->path_quantiles, TIPS * STATIONS * PDMC_QUANTILES);
+    fill_estimates(TIPS * PDMC_OUTCOMES, e->share, 0.5);
+    fill_estimates(TIPS, e->mean_growth, 20.0);
+    fill_estimates(TIPS, e->deviation, 30.0);
+    fill_estimates(TIPS * PDMC_QUANTILES, e->growth_quantiles, 40.0);
+    fill(TIPS * (BINS + 1), e->growth_edges, 1.0);
+    for (int i = 0; i < TIPS * (BINS + 2); i++) e->growth_counts[i] = i;
+    fill_estimates(TIPS * BINS, e->growth_density, 2.0);
+    fill(TIPS * STATIONS, e->path_samples, 3.0);
+    fill_estimates(TIPS * STATIONS, e->path_mean, 50.0);
+    fill_estimates(TIPS * STATIONS * PDMC_QUANTILES, e->path_quantiles, 60.0);
+}

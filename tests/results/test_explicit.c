@@ -89,6 +89,66 @@ static void what_is_written_is_read(void **state)
     scratch_empty(scratch);
 }
 
+static void check_samples(const pdmc_ensemble_results *a, const pdmc_ensemble_results *b)
+{
+    enum { S = 4, T = 2, X = 3, B = 5, Q = PDMC_QUANTILES };
+    const struct {
+        const void *a, *b;
+        size_t bytes;
+    } columns[] = {
+        {a->failure, b->failure, S},
+        {a->load, b->load, S * sizeof(double)},
+        {a->velocity, b->velocity, S * sizeof(double)},
+        {a->youngs_modulus, b->youngs_modulus, S * sizeof(double)},
+        {a->fracture_energy, b->fracture_energy, S * sizeof(double)},
+        {a->fracture, b->fracture, S * sizeof(double)},
+        {a->outcome, b->outcome, S * T},
+        {a->growth, b->growth, S * T * sizeof(double)},
+        {a->begin, b->begin, S * T * sizeof(double)},
+        {a->mean_speed, b->mean_speed, S * T * sizeof(double)},
+        {a->most_speed, b->most_speed, S * T * sizeof(double)},
+        {a->end, b->end, 2 * S * T * sizeof(double)},
+        {a->station, b->station, X * sizeof(double)},
+        {a->path, b->path, S * T * X * sizeof(double)},
+        {a->share, b->share, T * PDMC_OUTCOMES * sizeof(pdmc_estimate)},
+        {a->mean_growth, b->mean_growth, T * sizeof(pdmc_estimate)},
+        {a->deviation, b->deviation, T * sizeof(pdmc_estimate)},
+        {a->growth_quantiles, b->growth_quantiles, T * Q * sizeof(pdmc_estimate)},
+        {a->growth_edges, b->growth_edges, T * (B + 1) * sizeof(double)},
+        {a->growth_counts, b->growth_counts, T * (B + 2) * sizeof(int64_t)},
+        {a->growth_density, b->growth_density, T * B * sizeof(pdmc_estimate)},
+        {a->path_samples, b->path_samples, T * X * sizeof(double)},
+        {a->path_mean, b->path_mean, T * X * sizeof(pdmc_estimate)},
+        {a->path_quantiles, b->path_quantiles, T * X * Q * sizeof(pdmc_estimate)},
+    };
+    assert_int_equal(b->sample_count, S);
+    assert_int_equal(b->failed_count, 1);
+    assert_int_equal(b->tip_count, T);
+    assert_int_equal(b->station_count, X);
+    for (size_t i = 0; i < sizeof columns / sizeof columns[0]; i++)
+        if (memcmp(columns[i].a, columns[i].b, columns[i].bytes) != 0) fail_msg("column %zu", i);
+}
+
+static void samples_are_kept(void **state)
+{
+    (void)state;
+    pdmc_results a = made_up_explicit(2), b;
+    made_up_samples(&a);
+    CHECK_OK(pdmc_results_write(&a, scratch_path("results.h5"), true));
+    CHECK_OK(pdmc_results_read(scratch_path("results.h5"), &b));
+    assert_int_equal(b.histogram_bins, 5);
+    check_samples(&a.ensemble, &b.ensemble);
+    scratch_empty(scratch);
+    a.ensemble.outcome[3] = PDMC_OUTCOMES;
+    CHECK_STATUS(pdmc_results_write(&a, scratch_path("results.h5"), true), PDMC_ERR_ARG);
+    a.ensemble.outcome[3] = 0;
+    a.ensemble.failed_count = 2;
+    CHECK_STATUS(pdmc_results_write(&a, scratch_path("results.h5"), true), PDMC_ERR_ARG);
+    pdmc_results_clear(&a);
+    pdmc_results_clear(&b);
+    scratch_empty(scratch);
+}
+
 static void an_early_stop_may_leave_nothing(void **state)
 {
     (void)state;
@@ -230,9 +290,8 @@ static void vtk_finds_vertices_and_steps(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_written_is_read),
-        cmocka_unit_test(an_early_stop_may_leave_nothing),
-        cmocka_unit_test(states_must_be_whole_snapshots),
+        cmocka_unit_test(what_is_written_is_read),         cmocka_unit_test(samples_are_kept),
+        cmocka_unit_test(an_early_stop_may_leave_nothing), cmocka_unit_test(states_must_be_whole_snapshots),
         cmocka_unit_test(vtk_finds_vertices_and_steps),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);

@@ -366,14 +366,14 @@ static void fronts_are_of_nodes_near_the_crack(void **state)
     (void)state;
     const pdmc_explicit study = {.horizon = 1.0, .tip_damage = 0.3};
     const pdmc_followed_tip tip = {.position = {3.0, 4.0}, .direction = {0.6, 0.8}};
-    // 2 and 5 beyond the tip; 7 beyond, but 2.1 beside the line; 9 beyond, but hardly damaged
-    const double x[] = {4.2, 5.6, 0, 6.0, 8.0, 9.9, 7.2 + 1.68, 9.6 - 1.26, 0, 8.4, 11.2, 0};
-    double damage[] = {0.31, 0.9, 1.0, 0.3};
-    CHECK_NEAR(pdmc_tip_front(&study, &tip, 4, x, damage), 5.0, 1e-14);
-    damage[1] = 0.0;
-    CHECK_NEAR(pdmc_tip_front(&study, &tip, 4, x, damage), 2.0, 1e-14);
-    damage[0] = 0.0;
-    assert_true(isinf(pdmc_tip_front(&study, &tip, 4, x, damage)));
+    // 1.5 and 0.75 beyond the tip; 2 beyond, but 2.1 beside the line; 1.75 beyond, but hardly damaged; 2.6 beyond, a gap off
+    const double x[] = {3.9, 5.2, 0, 3.45, 4.6, 9.9, 4.2 + 1.68, 5.6 - 1.26, 0, 4.05, 5.4, 0, 4.56, 6.08, 0};
+    double damage[] = {0.31, 0.9, 1.0, 0.3, 0.8};
+    CHECK_NEAR(pdmc_tip_front(&study, &tip, 5, x, damage), 1.5, 1e-14);
+    damage[3] = 0.31;
+    CHECK_NEAR(pdmc_tip_front(&study, &tip, 5, x, damage), 2.6, 1e-14);
+    damage[1] = 0.0; // then the rest is more than a horizon away
+    assert_true(isinf(pdmc_tip_front(&study, &tip, 5, x, damage)));
 }
 
 // Of a straight line the slope, everywhere; of a kink half of it, where the window is half on each side.

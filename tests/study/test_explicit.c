@@ -281,6 +281,13 @@ static void conditions_and_times_that_cannot_be(void **state)
         {REST, "random = ( { quantity = \"thickness\"; } );",
          "study.cfg:9: random[0].quantity: is not known of an explicit study, must be \"stiffness\", \"youngs_modulus\", "
          "\"fracture_energy\", \"bond_strength\", \"load\" or \"velocity\""},
+        {REST, "random = ( { quantity = \"bond_strength\"; variation = 0.5; } );",
+         "study.cfg:9: random[0].distribution: the distribution of strengths: its least is -0.648597, needs to be > 0"},
+        {REST,
+         "random = ( { quantity = \"fracture_energy\"; correlation_length = 1.0; }, { quantity = \"load\"; } ); "
+         "correlations = ( { first = \"load\"; second = \"fracture_energy\"; correlation = 0.5; } );",
+         "study.cfg:9: correlations[0].second: differs from place to place, must have one value a sample in an explicit "
+         "study"},
     };
     for (size_t i = 0; i < sizeof layers / sizeof layers[0]; i++) {
         char settings[512];

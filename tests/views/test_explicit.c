@@ -178,6 +178,50 @@ static void every_picture_is_drawn(void **state)
     }
 }
 
+static void samples_are_in_every_view(void **state)
+{
+    (void)state;
+    size_t size;
+    pdmc_results r = made_up_explicit(2);
+    made_up_samples(&r);
+    char *table = printed(pdmc_view_table, &r), *json = printed(pdmc_view_json, &r);
+    expect_line(table, "4 samples of seed 0, 1 failed; in mm, with intervals at 0.95; above is the study at its means\n");
+    expect_line(table, "\n  centre.to\n    P(still)        4.5 [4.25, 4.75]\n    P(arrested)     5.5 [5.25, 5.75]\n");
+    expect_line(table, "    mean growth     21 [20.75, 21.25]\n    deviation       31 [30.75, 31.25]\n");
+    expect_line(table, "    95 % quantile   45 [44.75, 45.25]\n");
+    json_t *all = json_loads(json, 0, NULL);
+    const json_t *tip = json_array_get(json_object_get(json_object_get(all, "ensemble"), "tips"), 1);
+    const json_t *samples = json_object_get(tip, "samples");
+    const json_t *through = json_object_get(json_object_get(tip, "probability"), "through");
+    CHECK_NEAR(json_number_value(json_object_get(through, "lower")), 7.25, 0.0);
+    CHECK_NEAR(json_number_value(json_array_get(json_object_get(samples, "growth"), 2)), 10.625, 0.0);
+    assert_string_equal(json_string_value(json_array_get(json_object_get(samples, "outcome"), 1)), "through");
+    assert_true(json_is_null(json_array_get(json_object_get(samples, "outcome"), 3))); // it failed
+    CHECK_NEAR(json_number_value(json_array_get(json_object_get(samples, "end_y"), 0)), -0.625, 0.0);
+    const json_t *high = json_object_get(json_object_get(tip, "path"), "high");
+    CHECK_NEAR(json_number_value(json_object_get(json_array_get(high, 2), "value")), 60.0 + 17.0, 0.0);
+    json_decref(all);
+    CHECK_OK(pdmc_view_export(&r, scratch_path("csv")));
+    char *draws = scratch_read(scratch_path("csv/samples.csv"), &size);
+    char *paths = scratch_read(scratch_path("csv/paths.csv"), &size);
+    expect_line(draws, "sample,failure,load,velocity,youngs_modulus,fracture_energy,fracture[kN mm],tip,outcome,growth[mm],");
+    expect_line(draws, "\n1,0,1.125,2.125,3.125,4.125,5.125,centre.to,through,10.375,20.375,30.375,40.375,-0.25,-0.125\n");
+    assert_int_equal(lines_of(draws), 9);
+    expect_line(paths, "\ncentre.to,0.125,3.5,54,53.75,54.25,72,71.75,72.25,73,72.75,73.25,74,73.75,74.25\n");
+    assert_int_equal(lines_of(paths), 7);
+    assert_int_equal(scratch_empty(scratch_path("csv")), 5);
+    if (system("gnuplot --version >/dev/null 2>&1") == 0) {
+        CHECK_OK(pdmc_view_plot(&r, scratch_path("plots")));
+        assert_int_equal(scratch_empty(scratch_path("plots")), 10 + 6);
+    }
+    free(table);
+    free(json);
+    free(draws);
+    free(paths);
+    scratch_empty(scratch);
+    pdmc_results_clear(&r);
+}
+
 static void it_is_not_compared(void **state)
 {
     (void)state;
@@ -268,6 +312,7 @@ int main(void)
         cmocka_unit_test(the_json_has_all_records),
         cmocka_unit_test(the_csv_has_records_and_nodes),
         cmocka_unit_test(every_picture_is_drawn),
+        cmocka_unit_test(samples_are_in_every_view),
         cmocka_unit_test(it_is_not_compared),
         cmocka_unit_test(loads_are_shown),
         cmocka_unit_test(csv_and_pictures_of_loads),
