@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#define _POSIX_C_SOURCE 200809L // getline()
-
 #include "problem/nodes_file.h"
 
 #include "base/base_impl.h"

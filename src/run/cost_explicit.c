@@ -7,6 +7,8 @@
 static const double seconds_per_bond = 1.8e-9; // and step
 static const double steps_per_record = 3.5;    // energies, damage and pieces are asked for: a look at every bond each
 static const double bytes_per_node = 260.0, bytes_per_bond = 0.25; // of the engine
+static const double scattered_seconds = 2.3;                       // of a bond off the grid, over those of one on it
+static const double scattered_bytes_per_bond = 3.1;
 static const double bytes_of_program = 15e6;
 static const double most_modes = 400.0; // of a fracture energy in space
 
@@ -17,10 +19,18 @@ static double steps_to_rest(const pdmc_explicit *study, double nodes)
     return 3.3 * pow(nodes, 1.0 / study->dimension) * fmax(1.0, log10(1.0 / study->rest_tolerance)) / 6.0;
 }
 
+static bool is_scattered(const pdmc_explicit *study)
+{
+    for (int b = 0; b < study->body_count; b++)
+        if (study->bodies[b].body.shape.kind == PDMC_SHAPE_NODES) return true;
+    return false;
+}
+
 pdmc_explicit_cost pdmc_run_explicit_cost(const pdmc_explicit *study, int threads)
 {
     const pdmc_explicit_amounts amounts = pdmc_explicit_count(study);
-    const bool rests = study->load_steps > 0;
+    const bool rests = study->load_steps > 0, scattered = is_scattered(study);
+    const double of_bond = scattered ? scattered_seconds * seconds_per_bond : seconds_per_bond;
     const double records = rests ? amounts.steps : fmin(amounts.steps, study->duration / study->interval);
     const double steps = rests ? steps_to_rest(study, amounts.nodes) * amounts.steps : amounts.steps;
     const double states = 60.0 * (fmin(study->snapshots, amounts.steps) + 1.0); // u, v, damage and piece of a node
@@ -30,8 +40,8 @@ pdmc_explicit_cost pdmc_run_explicit_cost(const pdmc_explicit *study, int thread
         .bonds = amounts.bonds,
         .steps = amounts.steps,
         .bytes = bytes_of_program + amounts.nodes * (bytes_per_node + 2.0 * (states + cells)) +
-                 amounts.bonds * bytes_per_bond,
-        .seconds = (steps + steps_per_record * records) * amounts.bonds * seconds_per_bond / fmax(1.0, threads),
+                 amounts.bonds * (scattered ? scattered_bytes_per_bond : bytes_per_bond),
+        .seconds = (steps + steps_per_record * records) * amounts.bonds * of_bond / fmax(1.0, threads),
     };
 }
 
@@ -45,7 +55,8 @@ pdmc_explicit_cost pdmc_run_ensemble_cost(const pdmc_study *study, int threads)
     const double samples = problem->sampling.samples, at_once = samples >= threads ? fmax(1.0, threads) : 1.0;
     const pdmc_explicit_cost of_sample = pdmc_run_explicit_cost(&one, 1);
     const pdmc_uncertainty *stiffness = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_STIFFNESS);
-    const double modes = (stiffness ? stiffness->modes : 0) + (pdmc_problem_varies_toughness(problem) ? most_modes : 0.0);
+    const double modes =
+        (stiffness ? stiffness->modes : 0) + (pdmc_problem_varies_toughness(problem) ? most_modes : 0.0);
     cost.seconds += samples * of_sample.seconds / fmax(1.0, threads);
     cost.bytes += at_once * (of_sample.bytes - bytes_of_program) + 8.0 * modes * cost.nodes;
     return cost;
