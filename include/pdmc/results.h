@@ -271,6 +271,24 @@ typedef struct {
     double *value, *wave;   // [n] the field, and the wave
 } pdmc_scalar_record;
 
+/// The rest of an elastic study: n nodes, L nodes on a line, E energies of damped motion.
+typedef struct {
+    double spacing, horizon, step; // step: of time, 0 without motion
+    int axis;                      // of the line: 0, 1, 2
+    int iterations;
+    double residual; // norm of the free nodes' forces over that at the start; 0 of damped motion
+    double energy;   // elastic, at the end
+    int node_count;
+    double *position, *displacement; // [n, 3] length
+    double *compensation;            // [n] factor of a node's bonds
+    int line_count;
+    double *line_position, *line_displacement; // [L] length, along the longest direction next to the middle
+    double *line_strain;                       // [L] to the node before; NaN at the first
+    double *face_displacement, *face_force;    // [6, 3] mean of the outermost nodes; the whole force that holds or pulls
+    int energy_count;
+    double *time, *kinetic, *elastic; // [E]
+} pdmc_elastic_record;
+
 typedef struct {
     double assembly, factorisation, operators, energy_rows, sampling, energy, statistics, output, total; // wall seconds
     double reliability; // of rare growth and sensitivities; NaN in files that do not hold it
@@ -310,6 +328,7 @@ typedef struct {
     pdmc_motion_record motion; // of a dynamic study
     pdmc_explicit_record particles; // of an explicit study
     pdmc_ensemble_results ensemble; // ... and of its samples, where it has random quantities
+    pdmc_elastic_record elastic; // of an elastic study
     pdmc_scalar_record scalar;      // of a scalar study
 
     // the samples

@@ -3,6 +3,7 @@
 
 /// The study file: libconfig syntax, one table of settings as its schema. It ends in a plain problem.
 
+#include "pdmc/elastic.h"
 #include "pdmc/explicit.h"
 #include "pdmc/scalar.h"
 
@@ -10,6 +11,7 @@ typedef struct {
     pdmc_problem problem;
     pdmc_explicit motion; // of an explicit study, of which the problem has only kind, title and units
     pdmc_scalar scalar;   // of a scalar study, in the same way
+    pdmc_elastic elastic; // of an elastic study, in the same way
     char *input;    // the study file as it was given
     char *resolved; // every setting, defaults filled in, with its unit; itself a valid study file
     char *warnings; // one line each, "file:line: warning: ..."; "" if there are none

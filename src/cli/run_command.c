@@ -27,6 +27,7 @@ static const char *named(pdmc_problem_kind kind)
         [PDMC_EXPLICIT] = "this explicit",
         [PDMC_QUASI_STATIC] = "a quasi-static",
         [PDMC_SCALAR] = "a scalar",
+        [PDMC_ELASTIC] = "an elastic",
     };
     return names[kind];
 }
@@ -66,6 +67,7 @@ static const char *counted(pdmc_problem_kind kind, bool draws)
 {
     if (draws) return "samples";
     if (kind == PDMC_SCALAR) return "levels";
+    if (kind == PDMC_ELASTIC) return "bodies";
     return kind == PDMC_QUASI_STATIC ? "loads" : "time steps";
 }
 
@@ -83,6 +85,7 @@ static int count_done(const pdmc_results *results)
     case PDMC_DYNAMIC: return results->motion.time_count - 1;
     case PDMC_QUASI_STATIC: return results->particles.record_count - 1;
     case PDMC_SCALAR: return results->scalar.level_count;
+    case PDMC_ELASTIC: return 1;
     case PDMC_EXPLICIT: break;
     }
     return has_samples(results) ? results->ensemble.sample_count : (int)results->particles.steps;
@@ -130,6 +133,7 @@ static double bytes_of(const pdmc_study *study, int threads)
 {
     if (study->problem.kind == PDMC_SCALAR)
         return pdmc_scalar_cost_of(&study->scalar, study->scalar.levels - 1, threads).bytes;
+    if (study->problem.kind == PDMC_ELASTIC) return pdmc_elastic_cost_of(&study->elastic, threads).bytes;
     if (pdmc_is_of_bodies(study->problem.kind)) return pdmc_run_ensemble_cost(study, threads).bytes;
     return pdmc_run_cost(&study->problem, threads).bytes;
 }
@@ -232,12 +236,21 @@ static pdmc_status check_scalar(const pdmc_study *study, int threads)
     return PDMC_OK;
 }
 
+static pdmc_status check_elastic(const pdmc_study *study, int threads)
+{
+    const pdmc_elastic_cost cost = pdmc_elastic_cost_of(&study->elastic, threads);
+    printf("%s\n# %.0f nodes with about %.0f bonds each", study->resolved, cost.nodes, cost.bonds);
+    print_cost_and_threads(cost.bytes, cost.seconds, threads);
+    return PDMC_OK;
+}
+
 static pdmc_status check_study(const pdmc_study *study, int threads)
 {
     switch (study->problem.kind) {
     case PDMC_EXPLICIT:
     case PDMC_QUASI_STATIC: return check_explicit(study, threads);
     case PDMC_SCALAR: return check_scalar(study, threads);
+    case PDMC_ELASTIC: return check_elastic(study, threads);
     case PDMC_STATIC:
     case PDMC_DYNAMIC: break;
     }

@@ -7,6 +7,7 @@
 #define EXPLICIT "/explicit/" // ... and that only explicit and quasi-static ones have
 #define REST EXPLICIT "rest/" // ... and only the latter
 #define SCALAR "/scalar/" // ... and scalar ones
+#define ELASTIC "/elastic/" // ... and elastic ones
 #define PEAK_MEMORY "/runtime/peak_memory"
 #define REPLICATES "/statistics/replicates"
 #define GIVEN_REST "/samples/growth_given_rest"
@@ -263,6 +264,29 @@ const pdmc_dataset pdmc_datasets[] = {
     REALS(SCALAR "values/field", scalar.value, NONE, "the steady field", PDMC_DIM_VALUE),
     REALS(SCALAR "values/wave", scalar.wave, NONE, "the wave", PDMC_DIM_VALUE),
 
+    NUMBER(ELASTIC "spacing", REAL, elastic.spacing, LENGTH, "spacing of the nodes"),
+    NUMBER(ELASTIC "horizon", REAL, elastic.horizon, LENGTH, "length of the longest bond"),
+    NUMBER(ELASTIC "step", REAL, elastic.step, STUDY_TIME, "step of time of damped motion, 0 without"),
+    NUMBER(ELASTIC "iterations", INT, elastic.iterations, NONE, "iterations or steps to rest"),
+    NUMBER(ELASTIC "residual", REAL, elastic.residual, NONE, "norm of the free nodes' forces over that at the start"),
+    NUMBER(ELASTIC "seconds", REAL, runtime.motion, TIME, "wall time to rest"),
+    NUMBER(ELASTIC "energy", REAL, elastic.energy, WORK, "elastic energy"),
+    REALS(ELASTIC "nodes/position", elastic.position, LENGTH, "nodes in the reference configuration", PDMC_DIM_SOLID_NODE,
+          PDMC_DIM_AXIS),
+    REALS(ELASTIC "nodes/displacement", elastic.displacement, LENGTH, "displacement", PDMC_DIM_SOLID_NODE, PDMC_DIM_AXIS),
+    REALS(ELASTIC "nodes/compensation", elastic.compensation, NONE, "factor of the node's bonds", PDMC_DIM_SOLID_NODE),
+    NUMBER(ELASTIC "line/axis", INT, elastic.axis, NONE, "direction of the line, 0 for x"),
+    REALS(ELASTIC "line/position", elastic.line_position, LENGTH, "along the line through the middle", PDMC_DIM_LINE),
+    REALS(ELASTIC "line/displacement", elastic.line_displacement, LENGTH, "along the line", PDMC_DIM_LINE),
+    REALS(ELASTIC "line/strain", elastic.line_strain, NONE, "to the node before", PDMC_DIM_LINE),
+    REALS(ELASTIC "faces/displacement", elastic.face_displacement, LENGTH, "mean of the outermost nodes",
+          PDMC_DIM_SOLID_FACE, PDMC_DIM_AXIS),
+    REALS(ELASTIC "faces/force", elastic.face_force, FORCE, "the whole force that holds or pulls", PDMC_DIM_SOLID_FACE,
+          PDMC_DIM_AXIS),
+    REALS(ELASTIC "energies/time", elastic.time, STUDY_TIME, "time", PDMC_DIM_STEP),
+    REALS(ELASTIC "energies/kinetic", elastic.kinetic, WORK, "in the middle of the step before", PDMC_DIM_STEP),
+    REALS(ELASTIC "energies/elastic", elastic.elastic, WORK, "elastic energy", PDMC_DIM_STEP),
+
     REALS("/samples/load_factor", load_factor, NONE, "factor on the loads", PDMC_DIM_SAMPLE),
     REALS("/samples/micromodulus", micromodulus, NONE, "c(r) / c_0 in equal bins of [0, horizon]", PDMC_DIM_KEPT,
           PDMC_DIM_RADIAL_BIN),
@@ -390,7 +414,7 @@ const char *const pdmc_run_status_names[] = {
     [PDMC_RUN_NOT_FINITE] = "not_finite", [PDMC_RUN_NO_REST] = "no_rest"};
 static const char *const kind_names[] = {
     [PDMC_STATIC] = "static", [PDMC_DYNAMIC] = "dynamic", [PDMC_EXPLICIT] = "explicit",
-    [PDMC_QUASI_STATIC] = "quasi_static", [PDMC_SCALAR] = "scalar"};
+    [PDMC_QUASI_STATIC] = "quasi_static", [PDMC_SCALAR] = "scalar", [PDMC_ELASTIC] = "elastic"};
 static const char *const bond_names[] = {[PDMC_BONDS_ALL] = "all", [PDMC_BONDS_TENSILE] = "tensile"};
 
 #define ATTRIBUTE(object, kind, name, member) {object, name, PDMC_ATTRIBUTE_##kind, MEMBER(member), NULL, 0}
@@ -459,6 +483,10 @@ static const struct {
     [PDMC_DIM_OUTCOME] = {"still, arrested, running, through", 0, false, PDMC_OUTCOMES},
     [PDMC_DIM_LEVEL] = {"level", MEMBER(scalar.level_count), true, 0},
     [PDMC_DIM_VALUE] = {"value", MEMBER(scalar.value_count), true, 0},
+    [PDMC_DIM_SOLID_NODE] = {"node", MEMBER(elastic.node_count), true, 0},
+    [PDMC_DIM_LINE] = {"node of the line", MEMBER(elastic.line_count), true, 0},
+    [PDMC_DIM_SOLID_FACE] = {"face: low and high in x, y, z", 0, false, 6},
+    [PDMC_DIM_STEP] = {"step", MEMBER(elastic.energy_count), true, 0},
     [PDMC_DIM_AXIS] = {"x, y, z", 0, false, PDMC_AXES},
     [PDMC_DIM_CONTROLLED_TIP] = {"tip with a control", MEMBER(control.tip_count), true, 0},
     [PDMC_DIM_QUANTILE] = {"quantile level", 0, false, PDMC_QUANTILES},
@@ -498,12 +526,14 @@ static bool is_in(const char *path, const char *group)
 // The group that studies of a kind have instead of a plate's; NULL for those of plates.
 static const char *group_of(pdmc_problem_kind kind)
 {
-    return pdmc_is_of_bodies(kind) ? EXPLICIT : kind == PDMC_SCALAR ? SCALAR : NULL;
+    static const char *const groups[] = {[PDMC_EXPLICIT] = EXPLICIT, [PDMC_QUASI_STATIC] = EXPLICIT,
+                                         [PDMC_SCALAR] = SCALAR, [PDMC_ELASTIC] = ELASTIC};
+    return groups[kind];
 }
 
 static bool is_of_plates(const char *path)
 {
-    return !is_in(path, EXPLICIT) && !is_in(path, SCALAR);
+    return !is_in(path, EXPLICIT) && !is_in(path, SCALAR) && !is_in(path, ELASTIC);
 }
 
 bool pdmc_dataset_belongs(const pdmc_results *results, const pdmc_dataset *dataset)

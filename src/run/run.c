@@ -5,6 +5,7 @@
 #include "pdmc/discretisation.h"
 #include "run/coarser.h"
 #include "run/control.h"
+#include "run/elastic.h"
 #include "run/ensemble.h"
 #include "run/family.h"
 #include "run/motion.h"
@@ -219,6 +220,7 @@ pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, p
     PDMC_TRY(describe_study(study, results));
     if (problem->kind == PDMC_QUASI_STATIC) PDMC_TRY(pdmc_run_quasi_static(&study->motion, options, results));
     else if (problem->kind == PDMC_EXPLICIT) PDMC_TRY(pdmc_run_ensemble(study, options, results));
+    else if (problem->kind == PDMC_ELASTIC) PDMC_TRY(pdmc_run_elastic(&study->elastic, options, results));
     else if (problem->kind == PDMC_SCALAR) PDMC_TRY(pdmc_run_scalar(&study->scalar, options, results));
     else PDMC_TRY(run_plate(problem, options, results));
     results->runtime.total = pdmc_seconds() - start;

@@ -19,7 +19,7 @@ static pdmc_study_address at(pdmc_study_section_id section, int index, const cha
 static pdmc_status check_names(const pdmc_study_reader *reader, pdmc_study_section_id id, const char *what)
 {
     const pdmc_study_section *section = &pdmc_study_sections[id];
-    const char *home = pdmc_study_home(section, reader->problem, reader->motion, reader->scalar), *items;
+    const char *home = pdmc_study_home(section, reader->study), *items;
     int count;
     memcpy(&items, home + section->items, sizeof items);
     memcpy(&count, home + section->count, sizeof count);

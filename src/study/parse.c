@@ -114,7 +114,7 @@ static pdmc_status read_list(const pdmc_study_reader *reader, pdmc_study_section
     const int count = config_setting_length(list);
     char *items = pdmc_calloc((size_t)count, section->size);
     if (!items) return PDMC_ERR_NOMEM;
-    char *home = pdmc_study_home(section, reader->problem, reader->motion, reader->scalar);
+    char *home = pdmc_study_home(section, reader->study);
     memcpy(home + section->items, &items, sizeof items); // owned by the problem from here on
     memcpy(home + section->count, &count, sizeof count);
 
@@ -132,7 +132,7 @@ static pdmc_status read_group(const pdmc_study_reader *reader, pdmc_study_sectio
 {
     if (group && !config_setting_is_group(group))
         return pdmc_study_refuse_section(reader, (pdmc_study_address){id, -1, NULL}, "a group, { ... }");
-    void *home = pdmc_study_home(&pdmc_study_sections[id], reader->problem, reader->motion, reader->scalar);
+    void *home = pdmc_study_home(&pdmc_study_sections[id], reader->study);
     return read_record(&(pdmc_study_record){reader, group, id, -1, home});
 }
 

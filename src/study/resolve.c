@@ -12,7 +12,7 @@ typedef struct {
     FILE *out;
     const pdmc_problem *problem;
     const pdmc_explicit *motion;
-    const pdmc_scalar *scalar;
+    const pdmc_study *study;
     pdmc_study_units units;
 } writer;
 
@@ -150,7 +150,7 @@ static void write_record(const writer *w, pdmc_study_section_id section, const c
 static void write_list(const writer *w, pdmc_study_section_id id)
 {
     const pdmc_study_section *section = &pdmc_study_sections[id];
-    const char *home = pdmc_study_home(section, w->problem, w->motion, w->scalar);
+    const char *home = pdmc_study_home(section, w->study);
     const char *items;
     int count;
     memcpy(&items, home + section->items, sizeof items);
@@ -167,7 +167,7 @@ static void write_list(const writer *w, pdmc_study_section_id id)
 static void write_section(const writer *w, pdmc_study_section_id id)
 {
     const char *name = pdmc_study_sections[id].name;
-    const char *home = pdmc_study_home(&pdmc_study_sections[id], w->problem, w->motion, w->scalar);
+    const char *home = pdmc_study_home(&pdmc_study_sections[id], w->study);
     if (pdmc_study_sections[id].size > 0) {
         write_list(w, id);
     } else if (*name) {
@@ -186,7 +186,7 @@ pdmc_status pdmc_study_resolve(pdmc_study *study)
     char *resolved = NULL;
     PDMC_TRY(pdmc_study_text_open(&text));
     const pdmc_problem *p = &study->problem;
-    const writer w = {text.out, p, &study->motion, &study->scalar, {p->length_unit, p->force_unit, p->time_unit}};
+    const writer w = {text.out, p, &study->motion, study, {p->length_unit, p->force_unit, p->time_unit}};
     for (pdmc_study_section_id id = SECTION_TOP; id < SECTIONS; id++)
         if (pdmc_study_section_belongs(&pdmc_study_sections[id], p->kind)) write_section(&w, id);
     PDMC_TRY(pdmc_study_text_close(&text));

@@ -13,6 +13,7 @@
 #define IN_PROBLEM(field) offsetof(pdmc_problem, field)
 #define IN_MOTION(field) offsetof(pdmc_explicit, field)
 #define IN_SCALAR(field) offsetof(pdmc_scalar, field)
+#define IN_ELASTIC(field) offsetof(pdmc_elastic, field)
 #define OF(kind) .kinds = ONLY(kind)
 #define FOR(bits) .solvers = (bits)
 #define ANALYTIC ONLY(SOLVER_ANALYTIC)
@@ -161,10 +162,22 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
                              .doc = "of a scalar study: what is halved from level to level"},
     [SECTION_MARCH] = {.name = "motion", OF(PDMC_SCALAR), .check = pdmc_study_check_march,
                        .doc = "of a scalar study: the wave standing and swinging, by central differences"},
+    [SECTION_SOLID] = {.name = "solid", OF(PDMC_ELASTIC), .check = pdmc_study_check_solid,
+                       .doc = "of an elastic study: a box of nodes on a cubic grid, its middle at the origin; Poisson's ratio "
+                              "is 1/4"},
+    [SECTION_INTEGRATION] = {.name = "integration", OF(PDMC_ELASTIC), .check = pdmc_study_check_integration,
+                             .doc = "of an elastic study: the integral over a node's horizon"},
+    [SECTION_STRAIN] = {.name = "strain", OF(PDMC_ELASTIC),
+                        .doc = "of an elastic study: the uniform strain whose displacement is prescribed in layers"},
+    [SECTION_FACES] = {.name = "faces", OF(PDMC_ELASTIC),
+                       .doc = "of an elastic study: list of faces that are held or pulled; the others are free",
+                       .size = sizeof(pdmc_elastic_condition), .items = IN_ELASTIC(conditions),
+                       .count = IN_ELASTIC(condition_count), .check = pdmc_study_check_faces_of_solid},
+    [SECTION_REST] = {.name = "rest", OF(PDMC_ELASTIC), .doc = "of an elastic study: how it comes to rest"},
 };
 
 // In the order of the enumerations in pdmc/problem.h.
-#define STUDY_KINDS CHOICES("static", "dynamic", "explicit", "quasi_static", "scalar")
+#define STUDY_KINDS CHOICES("static", "dynamic", "explicit", "quasi_static", "scalar", "elastic")
 #define ASSUMPTIONS CHOICES("plane_stress", "plane_strain")
 #define SIDES CHOICES("left", "right", "bottom", "top")
 #define FACES CHOICES("none", "left", "right")
@@ -197,13 +210,29 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define MIXED ONLY(PDMC_SPACE_MIXED)
 #define OUTER_RULES CHOICES("exact", "gauss", "edges")
 #define INNER_RULES CHOICES("exact", "polynomial", "careless")
+#define SOLID_RULES CHOICES("cubic_cell", "gauss")
+#define GAUSS ONLY(PDMC_SOLID_GAUSS)
+#define COMPENSATIONS CHOICES("none", "sum", "exact")
+#define SOLID_FACES CHOICES("x_low", "x_high", "y_low", "y_high", "z_low", "z_high")
+#define WAYS_TO_REST CHOICES("static", "relaxation", "damped")
+#define DAMPED ONLY(PDMC_ELASTIC_DAMPED)
+#define RELAXATION ONLY(PDMC_ELASTIC_RELAXATION)
+#define STRAIN(key, k, text)                                                                                           \
+    {SECTION_STRAIN, key, KIND_REAL, .range = ANY, .offset = IN_ELASTIC(strain[k]), .fallback = "0.0", .doc = text}
+#define PULL(direction, k)                                                                                             \
+    {SECTION_FACES, "traction_" direction, KIND_REAL, UNIT_STRESS, ANY,                                                \
+     offsetof(pdmc_elastic_condition, load.traction[k]), .fallback = "0.0",                                            \
+     .doc = "force in " direction " on a unit of the face"},                                                           \
+    {SECTION_FACES, "gradient_" direction, KIND_REAL, UNIT_PER_LENGTH, ANY,                                            \
+     offsetof(pdmc_elastic_condition, load.gradient[k]), .fallback = "0.0",                                            \
+     .doc = "the traction times 1 + gradient . position, along the face"}
 #define CONDITIONS CHOICES("velocity", "force", "displacement")
 
 const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_TOP, "kind", KIND_CHOICE, .offset = IN_PROBLEM(kind), .choices = STUDY_KINDS, .fallback = "static",
      .doc = "equilibrium and energy release rates; motion under a history of the load; motion with growing cracks, "
-            "impact and contact; growing cracks under loads so slow that bodies are at rest; or a scalar field by "
-            "finite elements, refined from level to level"},
+            "impact and contact; growing cracks under loads so slow that bodies are at rest; a scalar field by finite "
+            "elements, refined from level to level; or the rest of an elastic box in space"},
     {SECTION_TOP, "title", KIND_TEXT, .offset = IN_PROBLEM(title), .fallback = "untitled",
      .doc = "what the study is about, for headings"},
     {SECTION_TOP, "seed", KIND_SEED, .range = NOT_NEGATIVE, .offset = IN_PROBLEM(sampling.seed), .fallback = "1",
@@ -622,6 +651,61 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .flag = IN_SCALAR(has_duration), .fallback = "none", .doc = "of the motion, a length since waves have speed 1; none without it"},
     {SECTION_MARCH, "safety", KIND_REAL, .range = ABOVE_TO(0.0, 1.0), .offset = IN_SCALAR(safety), .fallback = "0.2",
      .doc = "the step over the longest stable one at the first level, halved with the spacing"},
+
+    {SECTION_SOLID, "nodes_x", KIND_INT, .range = FROM_TO(1, 10000), .offset = IN_ELASTIC(nodes[0]), .doc = "along x"},
+    {SECTION_SOLID, "nodes_y", KIND_INT, .range = FROM_TO(1, 10000), .offset = IN_ELASTIC(nodes[1]), .doc = "along y"},
+    {SECTION_SOLID, "nodes_z", KIND_INT, .range = FROM_TO(1, 10000), .offset = IN_ELASTIC(nodes[2]), .doc = "along z"},
+    {SECTION_SOLID, "spacing", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_ELASTIC(spacing), .doc = "of the nodes"},
+    {SECTION_SOLID, "horizon", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_ELASTIC(horizon), .doc = "length of the longest bond"},
+    {SECTION_SOLID, "youngs_modulus", KIND_REAL, UNIT_STRESS, POSITIVE, IN_ELASTIC(youngs_modulus), .doc = "E"},
+
+    {SECTION_INTEGRATION, "rule", KIND_CHOICE, .offset = IN_ELASTIC(rule), .choices = SOLID_RULES,
+     .fallback = "cubic_cell",
+     .doc = "one point a cell, its node; or Gauss points in every cell, displaced by moving least squares"},
+    {SECTION_INTEGRATION, "gauss_points", KIND_INT, .range = FROM_TO(2, 4), .offset = IN_ELASTIC(gauss_points),
+     .fallback = "2", WHERE("rule", GAUSS), .doc = "along each side of a cell"},
+    {SECTION_INTEGRATION, "support", KIND_OPTIONAL, UNIT_LENGTH, POSITIVE, IN_ELASTIC(support),
+     .flag = IN_ELASTIC(has_support), .fallback = "3 spacings", WHERE("rule", GAUSS),
+     .doc = "radius of moving least squares"},
+    {SECTION_INTEGRATION, "compensation", KIND_CHOICE, .offset = IN_ELASTIC(compensation), .choices = COMPENSATIONS,
+     .fallback = "none",
+     .doc = "of bonds that surfaces lack: by the energies of an isotropic strain, from the rule's own points, which mends "
+            "the rule as well, or in closed form for faces, edges and corners"},
+
+    STRAIN("xx", 0, "along x"),
+    STRAIN("yy", 1, "along y"),
+    STRAIN("zz", 2, "along z"),
+    STRAIN("yz", 3, "half the angle between y and z"),
+    STRAIN("zx", 4, "half the angle between z and x"),
+    STRAIN("xy", 5, "half the angle between x and y"),
+
+    {SECTION_FACES, "face", KIND_CHOICE, .offset = offsetof(pdmc_elastic_condition, face), .choices = SOLID_FACES,
+     .doc = "each once"},
+    {SECTION_FACES, "layers", KIND_INT, .range = FROM_TO(0, 10000), .offset = offsetof(pdmc_elastic_condition, layers),
+     .fallback = "0", .doc = "of nodes with the displacement of the strain"},
+    PULL("x", 0),
+    PULL("y", 1),
+    PULL("z", 2),
+
+    {SECTION_REST, "method", KIND_CHOICE, .offset = IN_ELASTIC(method), .choices = WAYS_TO_REST, .fallback = "static",
+     .doc = "conjugate gradients; dynamic relaxation, its damping found from the motion; or damped motion for a number of "
+            "steps"},
+    {SECTION_REST, "tolerance", KIND_REAL, .range = ABOVE_TO(0.0, 0.1), .offset = IN_ELASTIC(tolerance),
+     .fallback = "1e-9", WHERE("method", ONLY(PDMC_ELASTIC_STATIC) | RELAXATION),
+     .doc = "of the free nodes' forces, over those at the start"},
+    {SECTION_REST, "most_steps", KIND_INT, .range = FROM_TO(1, 1000000), .offset = IN_ELASTIC(most_steps),
+     .fallback = "10000", WHERE("method", RELAXATION), .doc = "after which relaxation is given up"},
+    {SECTION_REST, "constant_damping", KIND_OPTIONAL, .range = {0.0, 2.0, false, true},
+     .offset = IN_ELASTIC(constant_damping), .flag = IN_ELASTIC(has_constant_damping), .fallback = "none",
+     WHERE("method", RELAXATION), .doc = "of relaxation in a step of 1, instead of the adaptive one"},
+    {SECTION_REST, "density", KIND_REAL, UNIT_MASS_DENSITY, POSITIVE, IN_ELASTIC(density), WHERE("method", DAMPED),
+     .doc = "mass of a unit of volume"},
+    {SECTION_REST, "damping", KIND_REAL, UNIT_DAMPING, NOT_NEGATIVE, IN_ELASTIC(damping), .fallback = "0.0",
+     WHERE("method", DAMPED), .doc = "c_v of the force -c_v v on a unit of volume"},
+    {SECTION_REST, "safety", KIND_REAL, .range = ABOVE_TO(0.0, 1.0), .offset = IN_ELASTIC(safety), .fallback = "0.8",
+     WHERE("method", DAMPED), .doc = "the step over spacing / sqrt(K / density)"},
+    {SECTION_REST, "steps", KIND_INT, .range = FROM_TO(1, 1000000), .offset = IN_ELASTIC(steps), .fallback = "300",
+     WHERE("method", DAMPED), .doc = "of the motion"},
     {.key = NULL},
 };
 
@@ -639,7 +723,9 @@ _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == si
                    sizeof(pdmc_volume_rule) == sizeof(int) && sizeof(pdmc_shape_kind) == sizeof(int) &&
                    sizeof(pdmc_planar_crack_kind) == sizeof(int) && sizeof(pdmc_vary) == sizeof(int) &&
                    sizeof(pdmc_space_kind) == sizeof(int) && sizeof(pdmc_outer_rule) == sizeof(int) &&
-                   sizeof(pdmc_inner_rule) == sizeof(int) && sizeof(pdmc_condition_kind) == sizeof(int),
+                   sizeof(pdmc_inner_rule) == sizeof(int) && sizeof(pdmc_solid_rule) == sizeof(int) &&
+                   sizeof(pdmc_solid_compensation) == sizeof(int) && sizeof(pdmc_elastic_face) == sizeof(int) &&
+                   sizeof(pdmc_elastic_method) == sizeof(int) && sizeof(pdmc_condition_kind) == sizeof(int),
                "enumerations of another size");
 
 pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem)
@@ -679,12 +765,13 @@ bool pdmc_study_setting_of_kind(const pdmc_study_setting *setting, pdmc_problem_
     return setting->kinds == 0 || setting->kinds & ONLY(kind);
 }
 
-void *pdmc_study_home(const pdmc_study_section *section, const pdmc_problem *problem, const pdmc_explicit *motion,
-                      const pdmc_scalar *scalar)
+void *pdmc_study_home(const pdmc_study_section *section, const pdmc_study *study)
 {
-    if (section->kinds == ONLY(PDMC_SCALAR)) return (void *)scalar;
     const unsigned of_bodies = ONLY(PDMC_EXPLICIT) | ONLY(PDMC_QUASI_STATIC);
-    return section->kinds != 0 && (section->kinds & ~of_bodies) == 0 ? (void *)motion : (void *)problem;
+    if (section->kinds == ONLY(PDMC_SCALAR)) return (void *)&study->scalar;
+    if (section->kinds == ONLY(PDMC_ELASTIC)) return (void *)&study->elastic;
+    if (section->kinds != 0 && (section->kinds & ~of_bodies) == 0) return (void *)&study->motion;
+    return (void *)&study->problem;
 }
 
 bool pdmc_study_section_belongs(const pdmc_study_section *section, pdmc_problem_kind kind)
@@ -708,6 +795,7 @@ void pdmc_study_print_unit(FILE *out, pdmc_study_unit unit, const pdmc_study_uni
     case UNIT_MICROMODULUS: fprintf(out, "%s/%s^6", force, length); break;
     case UNIT_PENALTY: fprintf(out, "%s/%s^5", force, length); break;
     case UNIT_DAMPING: fprintf(out, "%s %s/%s^4", force, time, length); break;
+    case UNIT_PER_LENGTH: fprintf(out, "1/%s", length); break;
     case UNIT_SLOWNESS: fprintf(out, "%s/%s", time, length); break;
     }
 }

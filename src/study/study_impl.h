@@ -84,6 +84,11 @@ typedef enum {
     SECTION_WAVE,
     SECTION_CONVERGENCE,
     SECTION_MARCH,
+    SECTION_SOLID,
+    SECTION_INTEGRATION,
+    SECTION_STRAIN,
+    SECTION_FACES,
+    SECTION_REST,
     SECTIONS
 } pdmc_study_section_id;
 
@@ -117,6 +122,7 @@ typedef enum {
     UNIT_MICROMODULUS,
     UNIT_PENALTY, // force / length^5, of a sphere
     UNIT_DAMPING, // force time / length^4
+    UNIT_PER_LENGTH,
     UNIT_SLOWNESS
 } pdmc_study_unit;
 
@@ -180,9 +186,8 @@ bool pdmc_study_setting_of_kind(const pdmc_study_setting *setting, pdmc_problem_
 pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem);
 /// The setting of that name, or NULL.
 const pdmc_study_setting *pdmc_study_find_setting(pdmc_study_section_id section, const char *key);
-/// Where the settings of a section are kept: in the problem of a plate, in that of explicit dynamics, or in the scalar one.
-void *pdmc_study_home(const pdmc_study_section *section, const pdmc_problem *problem, const pdmc_explicit *motion,
-                      const pdmc_scalar *scalar);
+/// Where the settings of a section are kept: in the study's problem of a plate, or of what else it is about.
+void *pdmc_study_home(const pdmc_study_section *section, const pdmc_study *study);
 /// Whether a study of this kind has the section.
 bool pdmc_study_section_belongs(const pdmc_study_section *section, pdmc_problem_kind kind);
 void pdmc_study_print_unit(FILE *out, pdmc_study_unit unit, const pdmc_study_units *units);
@@ -214,6 +219,8 @@ struct pdmc_study_reader {
     pdmc_problem *problem; // filled section by section
     pdmc_explicit *motion; // ... too
     pdmc_scalar *scalar;   // ...
+    pdmc_elastic *elastic; // ...
+    const pdmc_study *study; // whose parts these are
     FILE *warnings;
 };
 
@@ -338,3 +345,8 @@ PDMC_NODISCARD pdmc_status pdmc_study_check_elements(const pdmc_study_reader *re
 PDMC_NODISCARD pdmc_status pdmc_study_check_wave(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_convergence(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_march(const pdmc_study_reader *reader);
+
+// ... of an elastic study (check_elastic.c)
+PDMC_NODISCARD pdmc_status pdmc_study_check_solid(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_integration(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_faces_of_solid(const pdmc_study_reader *reader);

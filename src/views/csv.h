@@ -21,6 +21,12 @@ void pdmc_csv_numbers(FILE *stream, int count, const double x[]);
 pdmc_status pdmc_csv_levels(const pdmc_results *results, FILE *stream);
 pdmc_status pdmc_csv_values(const pdmc_results *results, FILE *stream);
 
+/// Of an elastic study: a row a node of the line, a node of the body, a face, and a step of damped motion.
+pdmc_status pdmc_csv_line(const pdmc_results *results, FILE *stream);
+pdmc_status pdmc_csv_solid_nodes(const pdmc_results *results, FILE *stream);
+pdmc_status pdmc_csv_faces(const pdmc_results *results, FILE *stream);
+pdmc_status pdmc_csv_energies(const pdmc_results *results, FILE *stream);
+
 /// Of an explicit study: a row a record, a row a node of the last snapshot, and a row a piece of that.
 pdmc_status pdmc_csv_records(const pdmc_results *results, FILE *stream);
 pdmc_status pdmc_csv_nodes(const pdmc_results *results, FILE *stream);

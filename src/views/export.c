@@ -292,6 +292,30 @@ static pdmc_status write_values(const pdmc_results *r, const csv_units *units, F
     return pdmc_csv_values(r, stream);
 }
 
+static pdmc_status write_line(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    (void)units;
+    return pdmc_csv_line(r, stream);
+}
+
+static pdmc_status write_solid_nodes(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    (void)units;
+    return pdmc_csv_solid_nodes(r, stream);
+}
+
+static pdmc_status write_solid_faces(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    (void)units;
+    return pdmc_csv_faces(r, stream);
+}
+
+static pdmc_status write_elastic_energies(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    (void)units;
+    return pdmc_csv_energies(r, stream);
+}
+
 /// Writes through a stream of its own, since the descriptor belongs to the file.
 static pdmc_status write_stream(pdmc_whole_file *file, const pdmc_results *r, const csv_units *units, csv_writer *write)
 {
@@ -352,6 +376,10 @@ static const csv_file files[] = {
     {"samples.csv", write_draws, PDMC_EXPLICIT},
     {"paths.csv", write_paths, PDMC_EXPLICIT},
     {"levels.csv", write_levels, PDMC_SCALAR},
+    {"line.csv", write_line, PDMC_ELASTIC},
+    {"nodes.csv", write_solid_nodes, PDMC_ELASTIC},
+    {"faces.csv", write_solid_faces, PDMC_ELASTIC},
+    {"energies.csv", write_elastic_energies, PDMC_ELASTIC},
     {"values.csv", write_values, PDMC_SCALAR},
 };
 

@@ -35,6 +35,9 @@ json_t *pdmc_json_explicit(const pdmc_explicit_record *record);
 
 /// ... and what its samples say.
 json_t *pdmc_json_ensemble(const pdmc_results *r);
+/// The rest of an elastic study.
+json_t *pdmc_json_elastic(const pdmc_elastic_record *record);
+
 /// The levels of a scalar study.
 json_t *pdmc_json_scalar(const pdmc_scalar_record *record);
 

@@ -11,6 +11,9 @@ typedef enum {
     OF_ENERGIES,
     OF_DISPLACEMENTS,
     OF_PLATE,
+    OF_ELASTIC_DISPLACEMENT,
+    OF_ELASTIC_STRAIN,
+    OF_ELASTIC_ENERGIES,
     OF_SCALAR_CONVERGENCE,
     OF_SCALAR_FIELD,
     OF_EXPLICIT_ENERGIES,
@@ -33,6 +36,9 @@ static pdmc_status draw(const pdmc_results *r, subject of, int tip, pdmc_measure
     case OF_ENERGIES: pdmc_draw_motion_energies(r, figure); break;
     case OF_DISPLACEMENTS: pdmc_draw_motion_displacements(r, figure); break;
     case OF_PLATE: pdmc_draw_plate(r, figure); break;
+    case OF_ELASTIC_DISPLACEMENT: pdmc_draw_elastic_displacement(r, figure); break;
+    case OF_ELASTIC_STRAIN: pdmc_draw_elastic_strain(r, figure); break;
+    case OF_ELASTIC_ENERGIES: pdmc_draw_elastic_energies(r, figure); break;
     case OF_SCALAR_CONVERGENCE: pdmc_draw_scalar_convergence(r, figure); break;
     case OF_SCALAR_FIELD: pdmc_draw_scalar_field(r, figure); break;
     case OF_EXPLICIT_ENERGIES: pdmc_draw_explicit_energies(r, figure); break;
@@ -143,6 +149,17 @@ done:
     return status;
 }
 
+static pdmc_status plot_elastic(const pdmc_results *r, const char *folder)
+{
+    pdmc_status status = PDMC_OK;
+    PDMC_TRY(plot(r, folder, "displacement", OF_ELASTIC_DISPLACEMENT, 0, r->measure));
+    PDMC_TRY(plot(r, folder, "strain", OF_ELASTIC_STRAIN, 0, r->measure));
+    if (r->elastic.energy_count > 0) PDMC_TRY(plot(r, folder, "energies", OF_ELASTIC_ENERGIES, 0, r->measure));
+
+done:
+    return status;
+}
+
 static pdmc_status plot_scalar(const pdmc_results *r, const char *folder)
 {
     pdmc_status status = PDMC_OK;
@@ -160,6 +177,7 @@ pdmc_status pdmc_view_plot(const pdmc_results *results, const char *folder)
     PDMC_TRY(pdmc_locale_plain(&locale));
     PDMC_TRY(pdmc_folder_make(folder));
     if (pdmc_is_of_bodies(results->kind)) PDMC_TRY(plot_explicit(results, folder));
+    else if (results->kind == PDMC_ELASTIC) PDMC_TRY(plot_elastic(results, folder));
     else if (results->kind == PDMC_SCALAR) PDMC_TRY(plot_scalar(results, folder));
     else PDMC_TRY(plot_plate(results, folder));
 

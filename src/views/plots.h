@@ -28,6 +28,11 @@ void pdmc_draw_motion_energies(const pdmc_results *r, const pdmc_figure *figure)
 /// The displacements of the probes over time.
 void pdmc_draw_motion_displacements(const pdmc_results *r, const pdmc_figure *figure);
 
+/// Displacement and strain along the body of an elastic study, and the energies of its damped motion.
+void pdmc_draw_elastic_displacement(const pdmc_results *r, const pdmc_figure *figure);
+void pdmc_draw_elastic_strain(const pdmc_results *r, const pdmc_figure *figure);
+void pdmc_draw_elastic_energies(const pdmc_results *r, const pdmc_figure *figure);
+
 /// The errors of a scalar study's levels, and its last field along the line of the wave.
 void pdmc_draw_scalar_convergence(const pdmc_results *r, const pdmc_figure *figure);
 void pdmc_draw_scalar_field(const pdmc_results *r, const pdmc_figure *figure);

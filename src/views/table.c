@@ -252,6 +252,12 @@ static void print_explicit(const pdmc_results *r, FILE *stream)
     print_memory(r->runtime.peak_memory, stream);
 }
 
+static void print_elastic(const pdmc_results *r, FILE *stream)
+{
+    pdmc_table_elastic(r, stream);
+    print_memory(r->runtime.peak_memory, stream);
+}
+
 static void print_scalar(const pdmc_results *r, FILE *stream)
 {
     pdmc_table_scalar(r, stream);
@@ -265,6 +271,7 @@ pdmc_status pdmc_view_table(const pdmc_results *results, FILE *stream)
     if (status != PDMC_OK) return status;
     print_head(results, stream);
     if (pdmc_is_of_bodies(results->kind)) print_explicit(results, stream);
+    else if (results->kind == PDMC_ELASTIC) print_elastic(results, stream);
     else if (results->kind == PDMC_SCALAR) print_scalar(results, stream);
     else print_plate(results, stream);
     pdmc_locale_restore(&locale);

@@ -23,6 +23,9 @@ void pdmc_table_control(const pdmc_results *r, FILE *stream);
 /// What a dynamic study has: its last state, its probes, and the balance of its energy.
 void pdmc_table_motion(const pdmc_results *r, FILE *stream);
 
+/// What an elastic study has: how it came to rest, its faces, and the line along it.
+void pdmc_table_elastic(const pdmc_results *r, FILE *stream);
+
 /// What a scalar study has: its levels, and the rates from one to the next.
 void pdmc_table_scalar(const pdmc_results *r, FILE *stream);
 
