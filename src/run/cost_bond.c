@@ -15,9 +15,12 @@ static const double seconds_per_entry_analysed = 0.15e-6; // of the matrix
 static const double seconds_per_factor_entry = 0.22e-9;   // of a solution, in blocks, both triangles
 static const double seconds_per_bond_product = 0.4e-9;    // of K times a vector, each bond from both its ends
 static const double seconds_of_a_reduced_sample = 0.5e-3; // with some 200 unknowns
-static const double seconds_per_direction = 30e-6;        // of a sample's energies
-static const double seconds_per_covariance = 17e-9;       // of two points of a random stiffness
-static const double seconds_per_distribution = 1.7e-3;    // intervals of a histogram
+// Of a random stiffness with 20 to 200 modes, whose reduced model has a term for each, on 2,500 and 6,400 nodes.
+static const double seconds_per_trained_bond = 6e-6, seconds_per_mode_of_a_bond = 0.4e-6;
+static const double seconds_of_a_reduced_field = 2.5e-6; // of a sample, times the modes to the power 3/2
+static const double seconds_per_direction = 30e-6;       // of a sample's energies
+static const double seconds_per_covariance = 17e-9;      // of two points of a random stiffness
+static const double seconds_per_distribution = 1.7e-3;   // intervals of a histogram
 static const double bytes_of_program = 30e6;
 
 typedef struct {
@@ -50,25 +53,31 @@ static double seconds_to_factor(const sizes *s)
 // One after another; the threads share them.
 static double seconds_of_a_sample(const pdmc_problem *problem, const sizes *s)
 {
+    const pdmc_uncertainty *stiffness = pdmc_problem_uncertainty(problem, PDMC_QUANTITY_STIFFNESS);
     const double step = seconds_per_factor_entry * s->entries + seconds_per_bond_product * s->bonds;
     const double steps_of_iteration = 12.0; // for a variation of 20 %, to 1e-8
     switch (problem->sampling.inverse) {
     case PDMC_INVERSE_DIRECT: return seconds_per_flop * s->flops;
     case PDMC_INVERSE_NEUMANN: return problem->sampling.order * step;
     case PDMC_INVERSE_KRYLOV: return steps_of_iteration * step;
-    case PDMC_INVERSE_REDUCED: return seconds_of_a_reduced_sample;
+    case PDMC_INVERSE_REDUCED:
+        return stiffness ? seconds_of_a_reduced_field * pow(stiffness->modes, 1.5) : seconds_of_a_reduced_sample;
     }
     return 0.0;
 }
 
-// Of a random stiffness: two more plates a tip, and covariances of the nodes with squares of a tenth of its length.
+// Of a random stiffness: two more plates a tip, covariances of the nodes with squares of a tenth of its length, and the basis of
+// a reduced model.
 static double seconds_of_field(const pdmc_problem *problem, const pdmc_uncertainty *stiffness, const sizes *s,
                                int threads)
 {
     const double side = fmax(floor(0.1 * stiffness->covariance.length / problem->solver.spacing), 1.0);
     const double squares = s->nodes / (side * side);
+    const bool is_reduced = problem->sampling.inverse == PDMC_INVERSE_REDUCED;
+    const double training = seconds_per_trained_bond + seconds_per_mode_of_a_bond * stiffness->modes;
     return 2.0 * problem->energy.tip_count * seconds_to_factor(s) +
-           seconds_per_covariance * squares * (squares + s->nodes) / threads;
+           (seconds_per_covariance * squares * (squares + s->nodes) + (is_reduced ? training * s->bonds : 0.0)) /
+               threads;
 }
 
 pdmc_cost pdmc_bond_cost(const pdmc_problem *problem, int threads)

@@ -87,6 +87,25 @@ static void all_that_is_asked_for_costs(void **state)
     pdmc_study_clear(&study);
 }
 
+// A basis for a random stiffness by bonds is dear, the more so the more modes it has.
+static void a_basis_costs(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    read_study(ONE_CRACK, "{ quantity = \"stiffness\"; correlation_length = 1; modes = 200; variation = 0.1; }",
+               "samples = 64;", &study);
+    pdmc_problem *p = &study.problem;
+    p->solver.method = PDMC_METHOD_BOND;
+    p->solver.horizon = 4.0 * (p->solver.spacing = 0.1);
+    const double full = pdmc_run_cost(p, 1).seconds;
+    p->sampling.inverse = PDMC_INVERSE_REDUCED;
+    const double reduced = pdmc_run_cost(p, 1).seconds;
+    assert_true(reduced > 5.0 * full);
+    p->uncertainties[0].modes = 20;
+    assert_true(pdmc_run_cost(p, 1).seconds < 0.5 * reduced);
+    pdmc_study_clear(&study);
+}
+
 static void a_plate_for_every_sample(void **state)
 {
     (void)state;
@@ -118,6 +137,7 @@ int main(void)
         cmocka_unit_test(seconds_and_bytes),
         cmocka_unit_test(more_costs_more),
         cmocka_unit_test(all_that_is_asked_for_costs),
+        cmocka_unit_test(a_basis_costs),
         cmocka_unit_test(a_plate_for_every_sample),
     };
     return cmocka_run_group_tests(tests, enter_folder, leave_folder);
