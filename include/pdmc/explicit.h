@@ -17,6 +17,8 @@ typedef struct {
     double fracture_energy;                         // force / length
     double critical_stretch;
     double strengthening;
+    double fibre[PDMC_AXES]; // zero: none
+    double fibre_ratio;
 } pdmc_explicit_material;
 
 typedef struct {
@@ -35,20 +37,25 @@ typedef struct {
     bool has_mass; // otherwise it keeps its velocity
 } pdmc_explicit_sphere;
 
+/// Of bonds: by their length as it is, or to first order in the displacement.
+typedef enum { PDMC_STRETCH_FULL, PDMC_STRETCH_LINEAR } pdmc_stretch_kind;
+
 typedef struct {
     int dimension; // 2 or 3
     double spacing, offset[PDMC_AXES];
     bool has_horizon, has_horizon_ratio; // a study that was read has its horizon
     double horizon, horizon_ratio;
     pdmc_volume_rule volume_rule;
+    pdmc_stretch_kind stretch;
     double thickness;           // in two dimensions
     pdmc_assumption assumption; // ... too
-    int material_count, body_count, crack_count, condition_count, sphere_count;
+    int material_count, body_count, crack_count, condition_count, sphere_count, no_fail_count;
     pdmc_explicit_material *materials;
     pdmc_explicit_body *bodies;
     pdmc_planar_crack *cracks;
     pdmc_explicit_condition *conditions;
     pdmc_explicit_sphere *spheres;
+    pdmc_shape *no_fail; // inside which no bond breaks
     double contact_distance, contact_stiffness;
     double damping, bond_damping; // force time / length^4, time / length
     int load_steps;            // of a quasi-static problem; 0 of one in motion
@@ -77,6 +84,9 @@ PDMC_API double pdmc_explicit_extent(const pdmc_explicit *problem, const pdmc_sh
 
 /// The nodes that a body has, or about as many as the grid has in its shape.
 PDMC_API double pdmc_explicit_nodes(const pdmc_explicit *problem, const pdmc_body *body);
+
+/// The largest stable step of bodies on a grid, as the engine has it without random quantities.
+PDMC_API double pdmc_explicit_stable_step(const pdmc_explicit *problem);
 
 /// What a problem amounts to, before its nodes are placed: bodies as if they did not overlap, whole neighbourhoods at
 /// their surfaces, and so upper bounds of bonds and steps.

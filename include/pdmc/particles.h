@@ -19,6 +19,8 @@ typedef struct {
     double micromodulus; // c, force / length^6 (the same unit in two dimensions, where the volume has the thickness)
     double critical_stretch; // s_00; infinite: bonds never break
     double strengthening;    // alpha: s_0 = s_00 - alpha s_min, s_min the least stretch of all bonds of a node (eq. 28)
+    double fibre[PDMC_AXES]; // direction of fibres, of any length; zero: none
+    double fibre_ratio; // c along it over that across; else beta^2 c_fibre + (1 - beta^2) c, beta the cosine (eq. 10)
     const double
         *strengths; // [PDMC_STRENGTH_CLASSES] factors of s_0, each as likely for a bond as the others; NULL: all 1
 } pdmc_brittle_material;
@@ -96,7 +98,9 @@ typedef struct {
     double offset[PDMC_AXES];
     double thickness; // in two dimensions
     double horizon;
-    bool linear_stretch; // s = eta . xi / |xi|^2, along the bond as it was, and the force too: for small motions
+    int no_fail_count;         // zones inside which no bond breaks: both of its nodes lie in them
+    const pdmc_shape *no_fail; // [no_fail_count]
+    bool linear_stretch;       // s = eta . xi / |xi|^2, along the bond as it was, and the force too: for small motions
     pdmc_volume_rule volume_rule;
     double
         contact_distance; // d_c over spacing: nodes repel each other below min(0.9 of their first distance, d_c); 0: never

@@ -42,8 +42,9 @@ typedef struct {
 /// The pairs of a block's nodes with an entry of its list: what both directions of a bond have in common, and the volume of
 /// the neighbour that counts.
 typedef struct {
-    size_t cell;  // of the neighbour; of the first of eight on a grid
-    uint8_t near; // which of them are neighbours
+    size_t cell;                     // of the neighbour; of the first of eight on a grid
+    const pdmc_neighbour *neighbour; // on a grid only
+    uint8_t near;                    // which of them are neighbours
     lanes apart[PDMC_AXES], inverse_distance;
     lanes length, inverse_length; // |xi|; the inverse of nodes off the grid only
     lanes minus_weight;           // - volume of the neighbour that counts
@@ -61,7 +62,7 @@ INLINE bool is_uniform(bond_kind kind)
 static bond_kind kind_of(const pdmc_forces *f, int b)
 {
     const pdmc_bond_law *law = &f->laws[f->nodes->blocks[b].material];
-    const bool varied = f->linear || f->stiffness || law->strengths;
+    const bool varied = f->linear || f->stiffness || law->strengths || law->fibre_excess != 0.0;
     return (bond_kind){.scattered = f->nodes->partner,
                        .linear = f->linear,
                        .by_node = f->nodes->partner || varied || f->by_node || law->strengthening != 0.0,
@@ -96,6 +97,7 @@ INLINE void add_grid(const place *at, int k, pairs *p)
 {
     const pdmc_nodes *g = at->forces->nodes;
     const pdmc_neighbour *n = &g->neighbours[g->lists[at->block->list + k]];
+    p->neighbour = n;
     p->cell = (size_t)((ptrdiff_t)at->block->cell + n->shift);
     p->near = 0xff;
     p->length = lanes_of(n->length);
@@ -155,12 +157,31 @@ INLINE lanes stretch_of(const place *at, const pairs *p)
     return subtract(divide(lanes_of(1.0), ratio_of(p)), lanes_of(1.0));
 }
 
+/// The cosine between the bonds and the fibres.
+INLINE lanes alignment_of(const place *at, const pairs *p)
+{
+    const pdmc_nodes *g = at->forces->nodes;
+    const double *fibre = at->law->fibre;
+    lanes beta = lanes_of(0.0);
+    for (int a = 0; a < PDMC_AXES && at->kind.scattered; a++) {
+        const lanes xi = subtract(lanes_of(g->reference[a][p->cell]), load(&g->reference[a][at->block->cell]));
+        beta = multiply_add(multiply(lanes_of(fibre[a]), p->inverse_length), xi, beta);
+    }
+    if (at->kind.scattered) return beta;
+    const double *slope = p->neighbour->slope;
+    return multiply(p->length, lanes_of(slope[0] * fibre[0] + slope[1] * fibre[1] + slope[2] * fibre[2]));
+}
+
 /// c of the bonds over that of their law.
 INLINE lanes stiffness_of(const place *at, const pairs *p)
 {
     const double *factor = at->forces->stiffness;
-    if (!factor) return lanes_of(1.0);
-    return multiply(lanes_of(0.5), add(load(&factor[at->block->cell]), of_neighbours(at, factor, p->cell)));
+    lanes stiffness = lanes_of(1.0);
+    if (factor)
+        stiffness = multiply(lanes_of(0.5), add(load(&factor[at->block->cell]), of_neighbours(at, factor, p->cell)));
+    if (at->law->fibre_excess == 0.0) return stiffness;
+    const lanes beta = alignment_of(at, p), excess = multiply(lanes_of(at->law->fibre_excess), multiply(beta, beta));
+    return multiply_add(stiffness, excess, stiffness);
 }
 
 /// The factors of single bonds.

@@ -40,6 +40,36 @@ done:
     return status;
 }
 
+static bool is_in_zone(const pdmc_shape *zone, const pdmc_nodes *g, size_t cell)
+{
+    const double slack = 1e-9 * g->spacing;
+    double x[PDMC_AXES];
+    for (int a = 0; a < PDMC_AXES; a++) x[a] = g->reference[a][cell];
+    return pdmc_shape_holds(zone, x, slack);
+}
+
+/// Nodes in a zone never are the weaker ones of a bond, so that those of two of them never break.
+static pdmc_status spare_zones(const pdmc_particles_options *o, const pdmc_nodes *g, double **first_strength)
+{
+    pdmc_status status = PDMC_OK;
+    if (o->no_fail_count == 0) return PDMC_OK;
+    if (!*first_strength) {
+        PDMC_NEW(*first_strength, g->cells + PDMC_LANES);
+        for (int k = 0; k < g->node_count; k++) (*first_strength)[g->cell[k]] = 1.0;
+    }
+    for (int z = 0; z < o->no_fail_count; z++) {
+        bool any = false;
+        for (int k = 0; k < g->node_count; k++) {
+            if (!is_in_zone(&o->no_fail[z], g, g->cell[k])) continue;
+            (*first_strength)[g->cell[k]] = INFINITY;
+            any = true;
+        }
+        if (!any) PDMC_FAIL(PDMC_ERR_ARG, "no_fail[%d] holds no node", z);
+    }
+done:
+    return status;
+}
+
 static void multiply_by_laws(const pdmc_nodes *g, const pdmc_bond_law laws[], double first_strength[])
 {
     for (int b = 0; first_strength && b < g->block_count; b++)
@@ -81,6 +111,7 @@ pdmc_status pdmc_variation_create(const pdmc_particles_options *o, const pdmc_no
     PDMC_TRY(check_factors(o, g, o->strength_factors, "strength_factors"));
     PDMC_TRY(spread(g, o->stiffness_factors, &v->stiffness));
     PDMC_TRY(spread(g, o->strength_factors, &v->first_strength));
+    PDMC_TRY(spare_zones(o, g, &v->first_strength));
     multiply_by_laws(g, laws, v->first_strength);
     PDMC_TRY(copy_strengths(o, laws, v));
     v->key = draw_key(o);

@@ -21,6 +21,7 @@ void pdmc_explicit_clear(pdmc_explicit *problem)
     pdmc_free(problem->cracks);
     pdmc_free(problem->conditions);
     pdmc_free(problem->spheres);
+    pdmc_free(problem->no_fail);
     *problem = (pdmc_explicit){0};
 }
 

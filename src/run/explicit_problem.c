@@ -38,6 +38,8 @@ pdmc_brittle_material pdmc_explicit_law(const pdmc_explicit *problem, const pdmc
         .micromodulus = micromodulus(problem, material),
         .critical_stretch = critical_stretch(problem, material),
         .strengthening = material->strengthening,
+        .fibre = {material->fibre[0], material->fibre[1], material->fibre[2]},
+        .fibre_ratio = material->fibre_ratio,
     };
     memcpy(law.name, material->name, sizeof law.name);
     return law;
@@ -74,6 +76,13 @@ static neighbour_sums sum_neighbours(const pdmc_explicit *p)
     return sums;
 }
 
+// By which fibres raise the sum of c over |xi|: beta^2 is 1 / dimension in the mean over a grid.
+static double fibres_stiffen(const pdmc_explicit *p, const pdmc_explicit_material *m)
+{
+    const bool has_fibres = m->fibre[0] != 0.0 || m->fibre[1] != 0.0 || m->fibre[2] != 0.0;
+    return has_fibres ? fmax(1.0, 1.0 + (m->fibre_ratio - 1.0) / p->dimension) : 1.0;
+}
+
 // As of eq. 46 inside the stiffest and lightest material.
 static double stable_step(const pdmc_explicit *p, const neighbour_sums *sums)
 {
@@ -81,10 +90,17 @@ static double stable_step(const pdmc_explicit *p, const neighbour_sums *sums)
     double step = INFINITY;
     for (int i = 0; i < p->material_count; i++) {
         const double by_density = 2.0 * volume * micromodulus(p, &p->materials[i]) / p->materials[i].density;
-        const double square = by_density * sums->inverse_lengths, rate = by_density * p->bond_damping * sums->shares;
+        const double square = by_density * sums->inverse_lengths * fibres_stiffen(p, &p->materials[i]);
+        const double rate = by_density * p->bond_damping * sums->shares;
         step = fmin(step, (sqrt(rate * rate + 4.0 * square) - rate) / square); // see pdmc_particles_stable_step()
     }
     return step;
+}
+
+double pdmc_explicit_stable_step(const pdmc_explicit *problem)
+{
+    const neighbour_sums sums = sum_neighbours(problem);
+    return stable_step(problem, &sums);
 }
 
 pdmc_explicit_amounts pdmc_explicit_count(const pdmc_explicit *problem)
@@ -181,6 +197,9 @@ static pdmc_particles_options options_of(const pdmc_explicit *p, const pdmc_expl
         .thickness = p->thickness,
         .horizon = p->horizon,
         .volume_rule = p->volume_rule,
+        .linear_stretch = p->stretch == PDMC_STRETCH_LINEAR,
+        .no_fail_count = p->no_fail_count,
+        .no_fail = p->no_fail,
         .contact_distance = p->contact_distance,
         .contact_stiffness = p->contact_stiffness,
         .material_count = p->material_count,

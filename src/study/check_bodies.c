@@ -42,6 +42,10 @@ static pdmc_status check_material(const pdmc_study_reader *reader, int index)
         return pdmc_study_refuse(reader, address,
                                  "\"%s\" has %d moduli, must have one of youngs_modulus, bulk_modulus, micromodulus",
                                  m->name, moduli);
+    const bool has_fibres = m->fibre[0] != 0.0 || m->fibre[1] != 0.0 || m->fibre[2] != 0.0;
+    if (m->fibre_ratio != 1.0 && !has_fibres)
+        return pdmc_study_refuse(reader, at(SECTION_PARTICLE_MATERIALS, index, "fibre_ratio"),
+                                 "is given without a direction, must have `fibre` beside it");
     if (m->has_fracture_energy && m->has_critical_stretch)
         return pdmc_study_refuse(reader, address,
                                  "\"%s\" has a fracture_energy and a critical_stretch, must have one or none", m->name);
@@ -225,4 +229,13 @@ pdmc_status pdmc_study_check_conditions(const pdmc_study_reader *reader)
 pdmc_status pdmc_study_check_spheres(const pdmc_study_reader *reader)
 {
     return check_names(reader, SECTION_SPHERES, "sphere");
+}
+
+pdmc_status pdmc_study_check_no_fail(const pdmc_study_reader *reader)
+{
+    const pdmc_explicit *motion = reader->motion;
+    pdmc_status status = PDMC_OK;
+    for (int i = 0; i < motion->no_fail_count && status == PDMC_OK; i++)
+        status = check_shape(reader, SECTION_NO_FAIL, i, &motion->no_fail[i]);
+    return status;
 }

@@ -48,6 +48,7 @@
     {section, "radius", KIND_REAL, UNIT_LENGTH, POSITIVE, place(radius), WHERE("shape", CYLINDER | BALL),              \
      .doc = "of a cylinder or a ball"}
 #define OF_BODY(field) offsetof(pdmc_explicit_body, body.shape.field)
+#define OF_ZONE(field) offsetof(pdmc_shape, field)
 #define OF_LAYER(field) offsetof(pdmc_explicit_condition, layer.region.field)
 #define COMPONENT(key, axis)                                                                                           \
     {SECTION_CONDITIONS, key, KIND_OPTIONAL, .range = ANY,                                                             \
@@ -140,6 +141,9 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
                          .doc = "of an explicit study: list of rigid spheres without friction, discs in the plane",
                          PARTICLE_LIST(pdmc_explicit_sphere, spheres, sphere_count),
                          .check = pdmc_study_check_spheres},
+    [SECTION_NO_FAIL] = {.name = "no_fail", OF_BODIES, .check = pdmc_study_check_no_fail,
+                         .doc = "of bodies of bonds: list of zones; a bond whose nodes both lie in them never breaks",
+                         PARTICLE_LIST(pdmc_shape, no_fail, no_fail_count)},
     [SECTION_CONTACT] = {.name = "contact", .doc = "of an explicit study: how nodes repel each other", OF(PDMC_EXPLICIT)},
     [SECTION_DAMPING] = {.name = "damping", .doc = "of an explicit study: linear and viscous", OF(PDMC_EXPLICIT)},
     [SECTION_TIME] = {.name = "time", .doc = "of an explicit study: how long, in which steps", OF(PDMC_EXPLICIT),
@@ -203,6 +207,7 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
 #define BONDS CHOICES("all", "tensile")
 #define MEASURES CHOICES("bond", "griffith")
 #define VOLUMES CHOICES("whole", "partial", "tapered")
+#define STRETCHES CHOICES("full", "linear")
 #define SHAPES CHOICES("box", "cylinder", "ball")
 #define BODY_SHAPES CHOICES("box", "cylinder", "ball", "nodes")
 #define PLANAR_CRACKS CHOICES("segment", "disc", "rectangle")
@@ -483,6 +488,9 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .fallback = "partial",
      .doc = "of a neighbour: whole inside the horizon; a share that falls from 1 to 0 over the spacing round it, whose sums "
             "converge; or that share with nothing beyond the horizon, as LAMMPS has it"},
+    {SECTION_PARTICLE_GRID, "stretch", KIND_CHOICE, .offset = IN_MOTION(stretch), .choices = STRETCHES, .fallback = "full",
+     .doc = "of bonds: by their length as it is, or eta . xi / |xi|^2 along the direction that they had at first, for small "
+            "motions without turning"},
     {SECTION_PARTICLE_GRID, "thickness", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_MOTION(thickness), .fallback = "1.0",
      WHERE("dimension", PLANE), .doc = "extent out of the plane"},
     {SECTION_PARTICLE_GRID, "assumption", KIND_CHOICE, .offset = IN_MOTION(assumption), .choices = ASSUMPTIONS,
@@ -501,6 +509,11 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_PARTICLE_MATERIALS, "strengthening", KIND_REAL, .range = NOT_NEGATIVE,
      .offset = offsetof(pdmc_explicit_material, strengthening), .fallback = "0.0",
      .doc = "alpha of s_0 - alpha s_min, by which bonds of compressed nodes hold more"},
+    {SECTION_PARTICLE_MATERIALS, "fibre", KIND_VECTOR, .range = ANY, .offset = offsetof(pdmc_explicit_material, fibre),
+     .fallback = "zero", .doc = "direction of fibres, of any length; zero for none"},
+    {SECTION_PARTICLE_MATERIALS, "fibre_ratio", KIND_REAL, .range = NOT_NEGATIVE,
+     .offset = offsetof(pdmc_explicit_material, fibre_ratio), .fallback = "1.0",
+     .doc = "c of bonds along the fibres over that of bonds across them, which the moduli give; in between by cos^2"},
 
     {SECTION_BODIES, "name", KIND_NAME, .offset = offsetof(pdmc_explicit_body, body.name), .fallback = "body1, body2, ...",
      .doc = "each name once"},
@@ -566,6 +579,8 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .doc = "without it the sphere keeps its velocity"},
     {SECTION_SPHERES, "stiffness", KIND_REAL, UNIT_PENALTY, POSITIVE, offsetof(pdmc_explicit_sphere, sphere.stiffness),
      .doc = "of the force stiffness (radius - r)^2 on a unit of the volume of a node inside"},
+
+    SHAPE_OF(SECTION_NO_FAIL, OF_ZONE, SHAPES, ""),
 
     {SECTION_CONTACT, "distance", KIND_REAL, .range = NOT_NEGATIVE, .offset = IN_MOTION(contact_distance),
      .fallback = "1.35",
@@ -720,7 +735,8 @@ _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == si
                    sizeof(pdmc_energy_line) == sizeof(int) && sizeof(pdmc_radial_model) == sizeof(int) &&
                    sizeof(pdmc_covariance_kind) == sizeof(int) && sizeof(pdmc_design_kind) == sizeof(int) &&
                    sizeof(pdmc_rare_method) == sizeof(int) && sizeof(pdmc_target) == sizeof(int) &&
-                   sizeof(pdmc_volume_rule) == sizeof(int) && sizeof(pdmc_shape_kind) == sizeof(int) &&
+                   sizeof(pdmc_volume_rule) == sizeof(int) && sizeof(pdmc_stretch_kind) == sizeof(int) &&
+                   sizeof(pdmc_shape_kind) == sizeof(int) &&
                    sizeof(pdmc_planar_crack_kind) == sizeof(int) && sizeof(pdmc_vary) == sizeof(int) &&
                    sizeof(pdmc_space_kind) == sizeof(int) && sizeof(pdmc_outer_rule) == sizeof(int) &&
                    sizeof(pdmc_inner_rule) == sizeof(int) && sizeof(pdmc_solid_rule) == sizeof(int) &&

@@ -73,6 +73,7 @@ typedef enum {
     SECTION_PLANAR_CRACKS,
     SECTION_CONDITIONS,
     SECTION_SPHERES,
+    SECTION_NO_FAIL,
     SECTION_CONTACT,
     SECTION_DAMPING,
     SECTION_TIME,
@@ -336,6 +337,7 @@ PDMC_NODISCARD pdmc_status pdmc_study_check_conditions(const pdmc_study_reader *
 PDMC_NODISCARD pdmc_status pdmc_study_check_spheres(const pdmc_study_reader *reader);
 /// Refuses what moves in a quasi-static study; gives the loads their first one, 0.
 PDMC_NODISCARD pdmc_status pdmc_study_check_loading(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_no_fail(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_time(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_record(const pdmc_study_reader *reader);
 

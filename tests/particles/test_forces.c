@@ -8,7 +8,7 @@
 /// How the bonds differ, and whether their nodes are scattered round the points of a grid and have different volumes.
 typedef struct {
     double strengthening;
-    bool linear, factors, strengths, scattered;
+    bool linear, factors, strengths, scattered, fibres;
 } variant;
 
 /// Nodes with arrays of their own, moved at random, some of their bonds stretched beyond what they bear.
@@ -51,7 +51,8 @@ static void set_up(setting *t, variant kind, double amplitude)
         CHECK_OK(pdmc_scattered_create(&t->s.options, &t->nodes));
     } else CHECK_OK(pdmc_lattice_create(&t->s.options, &t->nodes));
     const size_t cells = t->nodes.cells + PDMC_LANES, blocks = (size_t)t->nodes.block_count;
-    t->law = (pdmc_bond_law){2.0, 0.05, kind.strengthening, NULL};
+    t->law = (pdmc_bond_law){.micromodulus = 2.0, .critical_stretch = 0.05, .strengthening = kind.strengthening};
+    if (kind.fibres) t->law.fibre_excess = 2.5, t->law.fibre[0] = 0.6, t->law.fibre[2] = 0.8;
     t->forces = (pdmc_forces){.nodes = &t->nodes,
                               .laws = &t->law,
                               .repulsion = 3.0,
@@ -113,6 +114,14 @@ static double weight_of(double length)
     return fmin(1.0, 0.5 + 3.0 - length);
 }
 
+/// c of a bond over that of the law (eq. 10 of the paper), without the factors of nodes.
+static double directed(const setting *t, const double along[], double length)
+{
+    double beta = 0.0;
+    for (int a = 0; a < PDMC_AXES; a++) beta += t->law.fibre[a] * along[a] / length;
+    return beta * beta * (1.0 + t->law.fibre_excess) + (1.0 - beta * beta);
+}
+
 /// s_0 of a bond.
 static double bears(const setting *t, size_t i, size_t j)
 {
@@ -140,8 +149,8 @@ static expected node_by_definition(const setting *t, size_t i)
         if (i == j || length > 3.0) continue;
         const double s = t->kind.linear ? slope / first : (distance - length) / length,
                      depth = fmin(0.9 * length, 0.85) - distance;
-        const double c =
-            t->law.micromodulus * 0.5 * (t->stiffness[i] + t->stiffness[j]) * weight_of(length) * g->volume[j];
+        const double c = t->law.micromodulus * directed(t, along, length) * 0.5 * (t->stiffness[i] + t->stiffness[j]) *
+                         weight_of(length) * g->volume[j];
         const double energy = 0.25 * c * s * s * length * g->volume[i];
         double growth = 0.0;
         for (int a = 0; a < PDMC_AXES; a++) {
@@ -250,7 +259,10 @@ static void check(pdmc_forces_kernel *kernel)
         {.factors = true},
         {.linear = true},
         {.linear = true, .strengthening = 0.25, .factors = true, .strengths = true},
+        {.fibres = true},
+        {.linear = true, .factors = true, .fibres = true},
         {.scattered = true},
+        {.scattered = true, .strengthening = 0.25, .fibres = true},
         {.scattered = true, .strengthening = 0.25, .factors = true, .strengths = true},
         {.scattered = true, .linear = true, .strengthening = 0.25, .factors = true, .strengths = true},
     };

@@ -77,9 +77,9 @@ static void nodes_of_a_file_are_those_of_a_grid(void **state)
 {
     (void)state;
 #define BESIDE                                                                                                         \
-    "cracks = ( { from = [2.8, 0.0]; to = [3.2, 4.0]; } );\n"                                                              \
+    "cracks = ( { from = [2.8, 0.0]; to = [3.2, 4.0]; } );\n"                                                          \
     "conditions = ( { prescribed = \"force\"; from = [0, 0]; to = [3, 9]; x = -0.01; },\n"                             \
-    "               { prescribed = \"force\"; from = [9, 0]; to = [12, 9]; x = 0.01; } );\n"                          \
+    "               { prescribed = \"force\"; from = [9, 0]; to = [12, 9]; x = 0.01; } );\n"                           \
     "time = { duration = 18; step = 0.3; }; record = { interval = 3; snapshots = 2; };"
     const pdmc_run_options options = {.threads = 2};
     pdmc_results box, file;
@@ -264,7 +264,8 @@ static void what_the_engine_refuses_is_a_bad_study(void **state)
     const pdmc_run_options options = {.threads = 1};
     static const char *const settings[] = {
         GRID GLASS "bodies = ( { from = [0.6, 0.6]; to = [0.7, 0.7]; } ); time = { duration = 1; };", // no node
-        GRID GLASS "bodies = ( { from = [0, 0]; to = [9, 9]; } ); time = { duration = 9; step = 8; };",
+        GRID GLASS "bodies = ( { from = [0, 0]; to = [9, 9]; } ); time = { duration = 9; };\n"
+                   "no_fail = ( { from = [10, 0]; to = [12, 9]; } );", // nor here
     };
     for (size_t i = 0; i < sizeof settings / sizeof settings[0]; i++) {
         pdmc_study study;
@@ -273,6 +274,34 @@ static void what_the_engine_refuses_is_a_bad_study(void **state)
         CHECK_STATUS(pdmc_run(&study, &options, &r), PDMC_ERR_CONFIG);
         pdmc_study_clear(&study);
     }
+}
+
+// In a zone without failure nothing breaks that was not cut, and energies of linear stretch are those of full stretch to a
+// few strains, and not the same.
+static void bonds_are_those_of_the_study(void **state)
+{
+    (void)state;
+    const pdmc_run_options options = {.threads = 1};
+    static const char zone[] = "no_fail = ( { from = [-20, -20]; to = [20, 20]; } );\n";
+    static const char linear[] = "grid = { dimension = 2; spacing = 1.0; offset = [0.5, 0.5]; thickness = 0.25; "
+                                 "stretch = \"linear\"; };\n";
+    pdmc_results torn_apart, spared, straight;
+    char text[2048];
+    run_explicit(torn, &options, &torn_apart);
+    snprintf(text, sizeof text, "%s%s", zone, torn);
+    run_explicit(text, &options, &spared);
+    snprintf(text, sizeof text, "%s%s%s", linear, zone, &torn[sizeof GRID - 1]);
+    run_explicit(text, &options, &straight);
+    const pdmc_explicit_record *p = &torn_apart.particles, *q = &spared.particles, *l = &straight.particles;
+    const int last = p->record_count - 1;
+    assert_true(p->broken[last] > p->broken[0] && q->broken[0] == p->broken[0]);
+    assert_true(q->broken[last] == q->broken[0] && l->broken[last] == q->broken[0]);
+    CHECK_NEAR(q->fracture[last], 0.0, 0.0);
+    assert_true(l->elastic[last] != q->elastic[last]);
+    CHECK_NEAR(l->elastic[last], q->elastic[last], 0.1 * q->elastic[last]);
+    pdmc_results_clear(&torn_apart);
+    pdmc_results_clear(&spared);
+    pdmc_results_clear(&straight);
 }
 
 // Moduli of one material: E = 3 k (1 - 2 nu), with nu = 1/3, 1/4, 1/4.
@@ -308,14 +337,17 @@ static void counts_bound_those_of_the_engine(void **state)
 {
     (void)state;
     static const char *const rules[] = {"whole", "partial", "tapered"};
+    static const char *const glass[] = {
+        GLASS, GLASS,
+        "materials = ( { density = 2.0; youngs_modulus = 3.0; fibre = [1, 2, 0]; fibre_ratio = 9; } );\n"};
     for (size_t i = 0; i < 3; i++) {
         pdmc_study study;
         pdmc_particles *particles;
         char text[1024];
         snprintf(text, sizeof text,
-                 "grid = { dimension = 3; spacing = 0.5; offset = [0.25, 0.25, 0.25]; volume = \"%s\"; };\n" GLASS
+                 "grid = { dimension = 3; spacing = 0.5; offset = [0.25, 0.25, 0.25]; volume = \"%s\"; };\n%s"
                  "bodies = ( { from = [0, 0, 0]; to = [6, 5, 4]; } ); time = { duration = 10; safety = 0.5; };",
-                 rules[i]);
+                 rules[i], glass[i]);
         read_explicit(text, &study);
         CHECK_OK(pdmc_explicit_particles(&study.motion, 1, &particles));
         const pdmc_explicit_amounts amounts = pdmc_explicit_count(&study.motion);
@@ -338,12 +370,13 @@ static void a_damped_bar_comes_to_rest(void **state)
     for (int relative = 0; relative < 2; relative++) {
         char text[1024];
         snprintf(text, sizeof text,
-                 GRID GLASS "bodies = ( { from = [0, 0]; to = [12, 4]; } ); damping = { %s; };\n"
-                            "conditions = ( { name = \"wall\"; prescribed = \"displacement\"; from = [0, 0]; to = [2, 4];\n"
-                            "                 x = 0; y = 0; },\n"
-                            "               { name = \"hand\"; prescribed = \"force\"; from = [10, 0]; to = [12, 4];\n"
-                            "                 x = 2e-5; } );\n"
-                            "time = { duration = 1000; }; record = { interval = 100; snapshots = 1; };",
+                 GRID GLASS
+                 "bodies = ( { from = [0, 0]; to = [12, 4]; } ); damping = { %s; };\n"
+                 "conditions = ( { name = \"wall\"; prescribed = \"displacement\"; from = [0, 0]; to = [2, 4];\n"
+                 "                 x = 0; y = 0; },\n"
+                 "               { name = \"hand\"; prescribed = \"force\"; from = [10, 0]; to = [12, 4];\n"
+                 "                 x = 2e-5; } );\n"
+                 "time = { duration = 1000; }; record = { interval = 100; snapshots = 1; };",
                  relative ? "relative = 6.0" : "absolute = 0.12");
         pdmc_results r;
         run_explicit(text, &options, &r);
@@ -411,6 +444,7 @@ int main(void)
         cmocka_unit_test(a_stopped_run_is_a_prefix),
         cmocka_unit_test(a_step_that_cannot_be_taken_keeps_what_was),
         cmocka_unit_test(what_the_engine_refuses_is_a_bad_study),
+        cmocka_unit_test(bonds_are_those_of_the_study),
         cmocka_unit_test(moduli_say_the_same),
         cmocka_unit_test(counts_bound_those_of_the_engine),
         cmocka_unit_test(a_damped_bar_comes_to_rest),

@@ -30,14 +30,15 @@ static pdmc_status read_explicit(int part, const char *replacement, pdmc_study *
 
 static const char plane[] =
     "kind = \"explicit\"; title = \"plane\"; units = { length = \"mm\"; force = \"kN\"; time = \"ms\"; };\n"
-    "grid = { dimension = 2; spacing = 0.5; offset = [0.25, 0.125]; horizon_ratio = 3.2; volume = \"whole\";\n"
+    "grid = { dimension = 2; spacing = 0.5; offset = [0.25, 0.125]; horizon_ratio = 3.2; volume = \"whole\"; stretch = \"linear\";\n"
     "         thickness = 0.1; assumption = \"plane_strain\"; };\n"
-    "materials = ( { name = \"steel\"; density = 8.0; bulk_modulus = 192.0; critical_stretch = 0.02; },\n"
+    "materials = ( { name = \"steel\"; density = 8.0; bulk_modulus = 192.0; critical_stretch = 0.02; fibre = [1, 1]; fibre_ratio = 4; },\n"
     "              { name = \"glass\"; density = 2.5; micromodulus = 7e3; fracture_energy = 1e-3; strengthening = "
     "0.25; } );\n"
     "bodies = ( { name = \"plate\"; from = [-25, -25]; to = [25, 25]; material = \"glass\"; velocity = [0, -1]; },\n"
     "           { name = \"disc\"; shape = \"ball\"; centre = [0, 30]; radius = 2; } );\n"
     "cracks = ( { name = \"middle\"; from = [-5, 0]; to = [5, 0]; } );\n"
+    "no_fail = ( { from = [-25, 20]; to = [25, 25]; }, { shape = \"ball\"; centre = [0, 30]; radius = 2.5; } );\n"
     "conditions = ( { from = [-25.0, 23.4]; to = [25.0, 25.0]; y = 20; times = [5, 5, 10, 10]; factors = [1, -1, -1, "
     "0]; },\n"
     "               { prescribed = \"force\"; shape = \"ball\"; centre = [0, 0]; radius = 0.3; x = -1; },\n"
@@ -47,7 +48,7 @@ static const char plane[] =
     "spheres = ( { name = \"ram\"; radius = 5; centre = [0, 40]; velocity = [0.0, -35.5]; mass = 4.16; stiffness = "
     "1e26; },\n"
     "            { radius = 1; centre = [0, -40]; stiffness = 1e26; } );\n"
-    "contact = { distance = 0; stiffness = 14; }; time = { duration = 16; step = 0.05; safety = 0.7; };\n"
+    "contact = { distance = 0; stiffness = 14; }; time = { duration = 16; step = 0.0015; safety = 0.7; };\n"
     "record = { interval = 0.3; snapshots = 7; tip_damage = 0.35; speed_window = 1.2; };\n";
 
 static const char space[] =
@@ -71,6 +72,12 @@ static void what_is_given_is_kept(void **state)
     CHECK_NEAR(m->horizon, 1.6, 1e-15);
     CHECK_NEAR(m->offset[1], 0.125, 0.0);
     assert_int_equal(m->volume_rule, PDMC_VOLUME_WHOLE);
+    assert_int_equal(m->stretch, PDMC_STRETCH_LINEAR);
+    assert_int_equal(m->no_fail_count, 2);
+    CHECK_NEAR(m->no_fail[1].radius, 2.5, 0.0);
+    CHECK_NEAR(m->materials[0].fibre[1], 1.0, 0.0);
+    CHECK_NEAR(m->materials[0].fibre_ratio, 4.0, 0.0);
+    CHECK_NEAR(m->materials[1].fibre_ratio, 1.0, 0.0);
     assert_int_equal(m->assumption, PDMC_PLANE_STRAIN);
     assert_true(m->materials[0].has_bulk_modulus && m->materials[0].has_critical_stretch);
     assert_false(m->materials[0].has_youngs_modulus || m->materials[0].has_fracture_energy);
@@ -199,6 +206,10 @@ static void grids_and_materials_that_cannot_be(void **state)
         {GRID, "grid = { dimension = 3; spacing = 1e-3; };",
          "study.cfg:2: grid.spacing: 0.001 gives the bodies 6.4e+10 nodes, must be at most 2e+08"},
         {MATERIALS, "", "study.cfg: materials: no material, must be one at least"},
+        {MATERIALS, "materials = ( { density = 1; youngs_modulus = 1; fibre_ratio = 2; } );",
+         "study.cfg:3: materials[0].fibre_ratio: is given without a direction, must have `fibre` beside it"},
+        {REST, "no_fail = ( { from = [0, 0, 0]; to = [1, -1, 1]; } );",
+         "study.cfg:9: no_fail[0].to: -1 in y is below from, 0, must be at least that"},
         {MATERIALS, "materials = ( { density = 1; } );",
          "study.cfg:3: materials[0]: \"material1\" has 0 moduli, must have one of youngs_modulus, bulk_modulus, "
          "micromodulus"},
@@ -269,6 +280,9 @@ static void conditions_and_times_that_cannot_be(void **state)
         {TIME, "", "study.cfg: time.duration: is missing, must be a real > 0"},
         {TIME, "time = { duration = 1; step = 2; };",
          "study.cfg:8: time.step: 2 is too large, must be at most 1, the duration"},
+        // sqrt(2 rho / (c h^3 sum)), c = 12 E / (pi horizon^4) = 2.2635, 108.915 the sum over 178 neighbours of share / |xi|
+        {TIME, "time = { duration = 10; step = 1; };",
+         "study.cfg:8: time.step: 1 is too large, must be at most 0.360278, the largest stable one"},
         {TIME, "time = { duration = 1; safety = 1.5; };",
          "study.cfg:8: time.safety: 1.5 is not allowed, must be > 0 and <= 1"},
         {REST, "record = { interval = 11; };",
