@@ -105,7 +105,8 @@ static double mass_of(const pdmc_particles *p, const pdmc_block *block, int lane
         if (p->nodes.bonds[block->bonds + (size_t)k] >> lane & 1)
             add_row(p, c, pdmc_nodes_neighbour(&p->nodes, block, k, lane), row);
     const double largest = fmax(row[0], fmax(row[1], row[2]));
-    return 0.25 * mass_margin * p->laws[block->material].micromodulus * largest;
+    const pdmc_bond_law *law = &p->laws[block->material];
+    return 0.25 * mass_margin * law->micromodulus * fmax(1.0, 1.0 + law->fibre_excess) * largest;
 }
 
 /// Fictitious masses; infinite where positions are prescribed, and where a node has no bonds left.
