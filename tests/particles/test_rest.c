@@ -162,10 +162,10 @@ static void reactions_balance_forces(void **state)
 static void adaptive_damping_is_near_the_best(void **state)
 {
     (void)state;
-    int steps[7], best = 1 << 30;
+    int steps[5], best = 1 << 30;
     test_piece t;
-    make_piece(&t, 2, (int[]){24, 24, 1}, PDMC_CONDITION_DISPLACEMENT, 0.1);
-    for (int k = 0; k < 7; k++) {
+    make_piece(&t, 2, (int[]){16, 16, 1}, PDMC_CONDITION_DISPLACEMENT, 0.1);
+    for (int k = 0; k < 5; k++) {
         pdmc_particles *p = create(&t.s);
         steps[k] = rest_at(p, 1.0, 1e-6, k == 0 ? -1.0 : 1.28 / (1 << k)).steps;
         if (k > 0 && steps[k] < best) best = steps[k];
@@ -174,7 +174,7 @@ static void adaptive_damping_is_near_the_best(void **state)
         pdmc_particles_destroy(p);
     }
     assert_true(steps[0] <= 1.2 * best);
-    assert_true(2 * steps[0] < steps[6]);
+    assert_true(2 * steps[0] < steps[1]);
 }
 
 /// A bond between two nodes: F = c V^2 s up to s_0 = 0.02, and nothing after; its energy is c V^2 s^2 / 2 at the load at which
