@@ -64,6 +64,12 @@ static void a_field_has_its_law_at_every_node(void **state)
     CHECK_OK(pdmc_run(&study, &(pdmc_run_options){.threads = 1}, &r));
     CHECK_OK(pdmc_ensemble_draws_create(&study, &r.particles, 1, &draws));
     const pdmc_distribution *law = &study.problem.uncertainties[0].law;
+    for (int i = 0; i < NODES; i++) { // the normal variable has variance 1 everywhere, whatever the modes leave out
+        const double *row = &draws.toughness.function[i * draws.toughness.modes];
+        double variance = 0.0;
+        for (int k = 0; k < draws.toughness.modes; k++) variance += row[k] * row[k];
+        CHECK_NEAR(variance, 1.0, 1e-13);
+    }
     for (int i = 0; i < SAMPLES; i++) {
         pdmc_explicit_sample sample;
         assert_true(pdmc_ensemble_draws_sample(&draws, (uint64_t)i, stiffness, strength, &sample));
