@@ -311,6 +311,21 @@ static void bad_nodes_are_refused(void **state)
     free(nodes);
 }
 
+static void memory_that_runs_out_is_said(void **state)
+{
+    (void)state;
+    specimen s;
+    unsigned seed = 5;
+    pdmc_particles *p = NULL;
+    make_box(&s, 2, (int[]){7, 6, 1});
+    pdmc_node *nodes = scatter_box(&s, (int[]){7, 6, 1}, 0.2, &seed);
+    const pdmc_body bodies[] = {s.body, {.shape = {.kind = PDMC_SHAPE_BOX, .from = {8, 0, 0}, .to = {12, 5, 0}}}};
+    s.options.bodies = bodies;
+    s.options.body_count = 2;
+    CHECK_FAILS_CLEANLY(pdmc_particles_create(&s.options, &p), pdmc_particles_destroy(p));
+    free(nodes);
+}
+
 /// Two bodies, one of the grid and one with nodes of its own: no bonds between them, and they push each other back.
 static void bodies_of_both_kinds_meet(void **state)
 {
@@ -352,11 +367,17 @@ static void bodies_of_both_kinds_meet(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(groups_are_cubes),      cmocka_unit_test(nodes_of_a_grid_move_as_the_grid),
-        cmocka_unit_test(threads_change_no_bit), cmocka_unit_test(momentum_is_kept),
-        cmocka_unit_test(energy_balance),        cmocka_unit_test(rotation_stretches_nothing),
-        cmocka_unit_test(stable_step),           cmocka_unit_test(cracks_cut_what_crosses_them),
-        cmocka_unit_test(bad_nodes_are_refused), cmocka_unit_test(bodies_of_both_kinds_meet),
+        cmocka_unit_test(groups_are_cubes),
+        cmocka_unit_test(nodes_of_a_grid_move_as_the_grid),
+        cmocka_unit_test(threads_change_no_bit),
+        cmocka_unit_test(momentum_is_kept),
+        cmocka_unit_test(energy_balance),
+        cmocka_unit_test(rotation_stretches_nothing),
+        cmocka_unit_test(stable_step),
+        cmocka_unit_test(cracks_cut_what_crosses_them),
+        cmocka_unit_test(bad_nodes_are_refused),
+        cmocka_unit_test(memory_that_runs_out_is_said),
+        cmocka_unit_test(bodies_of_both_kinds_meet),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

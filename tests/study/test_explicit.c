@@ -369,6 +369,13 @@ static void nodes_come_from_a_file(void **state)
     pdmc_study_clear(&again);
 }
 
+static void memory_for_nodes_that_runs_out_is_said(void **state)
+{
+    (void)state;
+    pdmc_study study;
+    CHECK_FAILS_CLEANLY(read_nodes("0 0 1\n1 0 1\n", &study), pdmc_study_clear(&study));
+}
+
 /// A file is beside the one that names it, also where that is included from another folder.
 static void files_are_beside_the_study(void **state)
 {
@@ -527,6 +534,7 @@ int main(void)
         cmocka_unit_test(the_plane_has_no_depth),
         cmocka_unit_test(nodes_come_from_a_file),
         cmocka_unit_test(files_are_beside_the_study),
+        cmocka_unit_test(memory_for_nodes_that_runs_out_is_said),
         cmocka_unit_test(nodes_that_cannot_be),
         cmocka_unit_test(plates_have_no_bodies),
         cmocka_unit_test(memory_that_is_refused_is_told),
