@@ -10,9 +10,17 @@
 
 enum { PDMC_NAME_SIZE = 64 }; // with the terminating zero
 
-/// Of a study of bodies, a scalar or an elastic one this struct has the kind, the title and the units; the rest is in
-/// pdmc/explicit.h, pdmc/scalar.h or pdmc/elastic.h.
-typedef enum { PDMC_STATIC, PDMC_DYNAMIC, PDMC_EXPLICIT, PDMC_QUASI_STATIC, PDMC_SCALAR, PDMC_ELASTIC } pdmc_problem_kind;
+/// Of a study of bodies, a scalar or an elastic one or one of quadrature this struct has the kind, the title and the units; the rest is in
+/// pdmc/explicit.h, pdmc/scalar.h, pdmc/elastic.h or pdmc/horizon_study.h.
+typedef enum {
+    PDMC_STATIC,
+    PDMC_DYNAMIC,
+    PDMC_EXPLICIT,
+    PDMC_QUASI_STATIC,
+    PDMC_SCALAR,
+    PDMC_ELASTIC,
+    PDMC_QUADRATURE
+} pdmc_problem_kind;
 
 /// Whether a study is of bodies of bonds, see pdmc/explicit.h, and not of a plate.
 static inline bool pdmc_is_of_bodies(pdmc_problem_kind kind)

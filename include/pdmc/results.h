@@ -270,6 +270,26 @@ typedef struct {
     double *position;       // [n, 2] length
     double *value, *wave;   // [n] the field, and the wave
 } pdmc_scalar_record;
+/// A rule for integrals over the horizon, with the slopes of the logarithm of its error: NaN where errors are rounding.
+typedef struct {
+    char name[PDMC_LONG_NAME_SIZE];
+    double spacing_order, distance_order; // over the spacing, and over the distance of its points
+} pdmc_rule_record;
+
+/// What a study of quadrature has: R rules at K spacings.
+typedef struct {
+    int dimension;
+    double horizon; // length
+    int rule_count; // R
+    pdmc_rule_record *rules; // [R]
+    int ratio_count; // K
+    double *ratio;   // [K] horizon / spacing
+    double *error;   // [R, K] of the volume, over it; or of the stress, over its largest component
+    double *points, *distance, *seconds; // [R, K] points, as numbers of the file; their distance, length; wall time
+    double *stress;  // [R, K, 3, 3] force / length^2; NaN of a volume
+    int state_count;      // 1 where the integral is a stress, 0 where it is the volume of the horizon
+    double *exact_stress; // [state_count, 3, 3]
+} pdmc_quadrature_record;
 
 /// The rest of an elastic study: n nodes, L nodes on a line, E energies of damped motion.
 typedef struct {
@@ -293,15 +313,15 @@ typedef struct {
     double assembly, factorisation, operators, energy_rows, sampling, energy, statistics, output, total; // wall seconds
     double reliability; // of rare growth and sensitivities; NaN in files that do not hold it
     double control;     // of the cheaper method's samples; NaN in files that do not hold it
-    double motion; // of a dynamic study: the weak form and the time steps; of an explicit one the steps
+    double motion; // of a dynamic study: the weak form and the time steps; of an explicit one the steps; of quadrature all rules
     double peak_memory; // largest resident memory of the process until then, bytes; NaN in files that do not hold it
     int threads;
 } pdmc_runtime;
 
 typedef struct {
     // the study
-    pdmc_problem_kind kind; // a dynamic study has no tips, angles and samples; a static one has no motion; an explicit one and a
-                            // scalar one have nothing but texts, runtime and their own record
+    pdmc_problem_kind kind; // a dynamic study has no tips, angles and samples; a static one has no motion; an explicit one, a
+                            // scalar one and one of quadrature have nothing but texts, runtime and their own record
     char *title, *length_unit, *force_unit, *time_unit, *input, *resolved;
     uint64_t seed;
     char *date_and_time; // ISO 8601, UTC
@@ -330,6 +350,7 @@ typedef struct {
     pdmc_ensemble_results ensemble; // ... and of its samples, where it has random quantities
     pdmc_elastic_record elastic; // of an elastic study
     pdmc_scalar_record scalar;      // of a scalar study
+    pdmc_quadrature_record quadrature; // of a study of quadrature
 
     // the samples
     int sample_count; // S

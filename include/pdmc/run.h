@@ -21,7 +21,7 @@ typedef struct {
 
 /// Discretises the problem and solves for the mean; then solves for every sample and summarises, or integrates the
 /// motion of a dynamic study and records it step by step; or moves the bodies of an explicit one, or brings those of a
-/// quasi-static one to rest; or solves the levels of a scalar one.
+/// quasi-static one to rest; solves the levels of a scalar one; or compares rules.
 /// @param[out] results  free with pdmc_results_clear(); zero on failure
 /// `options->progress` counts samples, the time steps of a dynamic or explicit study, the loads of a quasi-static one, or the
 /// levels of a scalar one; it is called with 0 done as well, before
@@ -34,6 +34,9 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_run(const pdmc_study *study, const pdmc
 /// Estimates what pdmc_run() would need, from counts of operations at a nominal rate a thread: the samples, and what they
 /// usually take of points of rare growth and sensitivities, and a control.
 PDMC_API pdmc_cost pdmc_run_cost(const pdmc_problem *problem, int threads);
+
+/// Bytes that a study of quadrature will need: the points of its finest rule.
+PDMC_API double pdmc_run_quadrature_bytes(const pdmc_horizon_study *study);
 
 /// The same of an explicit study, without placing its nodes.
 PDMC_API pdmc_explicit_cost pdmc_run_explicit_cost(const pdmc_explicit *study, int threads);

@@ -5,6 +5,7 @@
 
 #include "pdmc/elastic.h"
 #include "pdmc/explicit.h"
+#include "pdmc/horizon_study.h"
 #include "pdmc/scalar.h"
 
 typedef struct {
@@ -12,6 +13,7 @@ typedef struct {
     pdmc_explicit motion; // of an explicit study, of which the problem has only kind, title and units
     pdmc_scalar scalar;   // of a scalar study, in the same way
     pdmc_elastic elastic; // of an elastic study, in the same way
+    pdmc_horizon_study quadrature; // of a study of quadrature, as the last
     char *input;    // the study file as it was given
     char *resolved; // every setting, defaults filled in, with its unit; itself a valid study file
     char *warnings; // one line each, "file:line: warning: ..."; "" if there are none

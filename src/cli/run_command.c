@@ -28,6 +28,7 @@ static const char *named(pdmc_problem_kind kind)
         [PDMC_QUASI_STATIC] = "a quasi-static",
         [PDMC_SCALAR] = "a scalar",
         [PDMC_ELASTIC] = "an elastic",
+        [PDMC_QUADRATURE] = "a quadrature",
     };
     return names[kind];
 }
@@ -65,6 +66,7 @@ static void print_results(const pdmc_results *results, const char *path)
 // What a run counts.
 static const char *counted(pdmc_problem_kind kind, bool draws)
 {
+    if (kind == PDMC_QUADRATURE) return "measurements";
     if (draws) return "samples";
     if (kind == PDMC_SCALAR) return "levels";
     if (kind == PDMC_ELASTIC) return "bodies";
@@ -86,9 +88,11 @@ static int count_done(const pdmc_results *results)
     case PDMC_QUASI_STATIC: return results->particles.record_count - 1;
     case PDMC_SCALAR: return results->scalar.level_count;
     case PDMC_ELASTIC: return 1;
-    case PDMC_EXPLICIT: break;
+    case PDMC_EXPLICIT:
+        return has_samples(results) ? results->ensemble.sample_count : (int)results->particles.steps;
+    case PDMC_QUADRATURE: break;
     }
-    return has_samples(results) ? results->ensemble.sample_count : (int)results->particles.steps;
+    return results->quadrature.rule_count * results->quadrature.ratio_count;
 }
 
 static void tell_interruption(const pdmc_results *results, const char *path)
@@ -135,6 +139,7 @@ static double bytes_of(const pdmc_study *study, int threads)
         return pdmc_scalar_cost_of(&study->scalar, study->scalar.levels - 1, threads).bytes;
     if (study->problem.kind == PDMC_ELASTIC) return pdmc_elastic_cost_of(&study->elastic, threads).bytes;
     if (pdmc_is_of_bodies(study->problem.kind)) return pdmc_run_ensemble_cost(study, threads).bytes;
+    if (study->problem.kind == PDMC_QUADRATURE) return pdmc_run_quadrature_bytes(&study->quadrature);
     return pdmc_run_cost(&study->problem, threads).bytes;
 }
 
@@ -224,6 +229,14 @@ static pdmc_status check_explicit(const pdmc_study *study, int threads)
     return PDMC_OK;
 }
 
+static pdmc_status check_quadrature(const pdmc_study *study, int threads)
+{
+    (void)threads;
+    printf("%s\n# %d rules at %d spacings, about %.0f MB\n", study->resolved, PDMC_HORIZON_RULES,
+           study->quadrature.ratio_count, pdmc_run_quadrature_bytes(&study->quadrature) / 1e6);
+    return PDMC_OK;
+}
+
 static pdmc_status check_scalar(const pdmc_study *study, int threads)
 {
     const pdmc_scalar *scalar = &study->scalar;
@@ -251,6 +264,7 @@ static pdmc_status check_study(const pdmc_study *study, int threads)
     case PDMC_QUASI_STATIC: return check_explicit(study, threads);
     case PDMC_SCALAR: return check_scalar(study, threads);
     case PDMC_ELASTIC: return check_elastic(study, threads);
+    case PDMC_QUADRATURE: return check_quadrature(study, threads);
     case PDMC_STATIC:
     case PDMC_DYNAMIC: break;
     }

@@ -89,7 +89,8 @@ pdmc_status pdmc_identity_read(hid_t file, const char *path, pdmc_results *resul
                   layout[1], VERSION_MAJOR);
     const bool is_of_plate =
         H5Lexists(file, "/explicit", H5P_DEFAULT) <= 0 && H5Lexists(file, "/scalar", H5P_DEFAULT) <= 0 &&
-                             H5Lexists(file, "/elastic", H5P_DEFAULT) <= 0;
+                             H5Lexists(file, "/elastic", H5P_DEFAULT) <= 0 &&
+                             H5Lexists(file, "/quadrature", H5P_DEFAULT) <= 0;
     if (is_of_plate) PDMC_TRY(check_levels(file, path)); // others have no quantiles
     PDMC_TRY(pdmc_h5_read_numbers(file, "pdmc_version", H5T_NATIVE_INT, 3, program));
     PDMC_NEW(results->pdmc_version, VERSION_TEXT);

@@ -8,6 +8,7 @@
 #define REST EXPLICIT "rest/" // ... and only the latter
 #define SCALAR "/scalar/" // ... and scalar ones
 #define ELASTIC "/elastic/" // ... and elastic ones
+#define QUADRATURE "/quadrature/" // ... and those of quadrature
 #define PEAK_MEMORY "/runtime/peak_memory"
 #define REPLICATES "/statistics/replicates"
 #define GIVEN_REST "/samples/growth_given_rest"
@@ -83,6 +84,11 @@
 #define SUMMARY(name, unit, text, ...)                                                                                 \
     ESTIMATES(EXPLICIT "statistics/" #name, ensemble.name, unit, text, PDMC_DIM_DRAWN_TIP, __VA_ARGS__)
 #define LEVEL(name, unit, text) REALS(SCALAR "levels/" #name, scalar.name, unit, text, PDMC_DIM_LEVEL)
+#define RULE(path, kind, name, unit, text)                                                                             \
+    {QUADRATURE "rules/" path, text, PDMC_KIND_##kind, PDMC_UNIT_##unit, MEMBER(quadrature.rules),                     \
+     sizeof(pdmc_rule_record), offsetof(pdmc_rule_record, name), 1, {PDMC_DIM_RULE, PDMC_DIM_END}}
+#define OF_RULES(name, unit, text)                                                                                     \
+    REALS(QUADRATURE #name, quadrature.name, unit, text, PDMC_DIM_RULE, PDMC_DIM_RATIO)
 #define SECONDS(name, text) NUMBER("/runtime/" #name, REAL, runtime.name, TIME, "wall time of " text)
 
 // An axis is sized by the first dataset that has it, so each count comes with an array that holds little else.
@@ -395,6 +401,22 @@ const pdmc_dataset pdmc_datasets[] = {
            "samples of the cheaper method that would give the narrowest intervals of means for the time"),
     NUMBER(CONTROL "seconds", REAL, runtime.control, TIME, "wall time of the cheaper method's samples"),
 
+    NUMBER(QUADRATURE "dimension", INT, quadrature.dimension, NONE, "of space"),
+    NUMBER(QUADRATURE "horizon", REAL, quadrature.horizon, LENGTH, "radius of the sphere or disc"),
+    NUMBER(QUADRATURE "wall_time", REAL, runtime.motion, TIME, "wall time of all rules"),
+    RULE("name", NAME, name, NONE, "rules for integrals over the horizon"),
+    RULE("spacing_order", REAL, spacing_order, NONE, "slope of log error over log spacing"),
+    RULE("distance_order", REAL, distance_order, NONE, "slope of log error over log distance of the points"),
+    REALS(QUADRATURE "ratio", quadrature.ratio, NONE, "horizon over spacing", PDMC_DIM_RATIO),
+    OF_RULES(error, NONE, "of the volume, over it, or of the stress, over its largest component"),
+    OF_RULES(points, NONE, "integration points in the horizon, or in the half of it beyond a plane through the node"),
+    OF_RULES(distance, LENGTH, "average distance between these points"),
+    OF_RULES(seconds, TIME, "wall time"),
+    REALS(QUADRATURE "stress", quadrature.stress, STRESS, "stress at the node", PDMC_DIM_RULE, PDMC_DIM_RATIO,
+          PDMC_DIM_AXIS, PDMC_DIM_AXIS),
+    REALS(QUADRATURE "exact_stress", quadrature.exact_stress, STRESS, "stress of the body",
+          PDMC_DIM_STRESS_STATE, PDMC_DIM_AXIS, PDMC_DIM_AXIS),
+
     SECONDS(assembly, "the assembly of the mean operator"),
     SECONDS(factorisation, "its factorisation"),
     SECONDS(operators, "the operators of the uncertain micromodulus"),
@@ -414,7 +436,8 @@ const char *const pdmc_run_status_names[] = {
     [PDMC_RUN_NOT_FINITE] = "not_finite", [PDMC_RUN_NO_REST] = "no_rest"};
 static const char *const kind_names[] = {
     [PDMC_STATIC] = "static", [PDMC_DYNAMIC] = "dynamic", [PDMC_EXPLICIT] = "explicit",
-    [PDMC_QUASI_STATIC] = "quasi_static", [PDMC_SCALAR] = "scalar", [PDMC_ELASTIC] = "elastic"};
+    [PDMC_QUASI_STATIC] = "quasi_static", [PDMC_SCALAR] = "scalar", [PDMC_ELASTIC] = "elastic",
+    [PDMC_QUADRATURE] = "quadrature"};
 static const char *const bond_names[] = {[PDMC_BONDS_ALL] = "all", [PDMC_BONDS_TENSILE] = "tensile"};
 
 #define ATTRIBUTE(object, kind, name, member) {object, name, PDMC_ATTRIBUTE_##kind, MEMBER(member), NULL, 0}
@@ -487,6 +510,9 @@ static const struct {
     [PDMC_DIM_LINE] = {"node of the line", MEMBER(elastic.line_count), true, 0},
     [PDMC_DIM_SOLID_FACE] = {"face: low and high in x, y, z", 0, false, 6},
     [PDMC_DIM_STEP] = {"step", MEMBER(elastic.energy_count), true, 0},
+    [PDMC_DIM_RULE] = {"rule", MEMBER(quadrature.rule_count), true, 0},
+    [PDMC_DIM_RATIO] = {"spacing", MEMBER(quadrature.ratio_count), true, 0},
+    [PDMC_DIM_STRESS_STATE] = {"state of stress", MEMBER(quadrature.state_count), true, 0},
     [PDMC_DIM_AXIS] = {"x, y, z", 0, false, PDMC_AXES},
     [PDMC_DIM_CONTROLLED_TIP] = {"tip with a control", MEMBER(control.tip_count), true, 0},
     [PDMC_DIM_QUANTILE] = {"quantile level", 0, false, PDMC_QUANTILES},
@@ -527,13 +553,15 @@ static bool is_in(const char *path, const char *group)
 static const char *group_of(pdmc_problem_kind kind)
 {
     static const char *const groups[] = {[PDMC_EXPLICIT] = EXPLICIT, [PDMC_QUASI_STATIC] = EXPLICIT,
-                                         [PDMC_SCALAR] = SCALAR, [PDMC_ELASTIC] = ELASTIC};
+                                         [PDMC_SCALAR] = SCALAR, [PDMC_ELASTIC] = ELASTIC,
+                                         [PDMC_QUADRATURE] = QUADRATURE};
     return groups[kind];
 }
 
 static bool is_of_plates(const char *path)
 {
-    return !is_in(path, EXPLICIT) && !is_in(path, SCALAR) && !is_in(path, ELASTIC);
+    return !is_in(path, EXPLICIT) && !is_in(path, SCALAR) && !is_in(path, ELASTIC) &&
+           !is_in(path, QUADRATURE);
 }
 
 bool pdmc_dataset_belongs(const pdmc_results *results, const pdmc_dataset *dataset)

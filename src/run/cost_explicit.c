@@ -12,6 +12,13 @@ static const double scattered_bytes_per_bond = 3.1;
 static const double bytes_of_program = 15e6;
 static const double most_modes = 400.0; // of a fracture energy in space
 
+double pdmc_run_quadrature_bytes(const pdmc_horizon_study *study)
+{
+    const double bytes_per_point = 4.0 * 8.0 * 3.0, ratio = study->ratios[study->ratio_count - 1] + 1.0; // while it grows
+    const double points = study->dimension == 3 ? 64.0 * 4.2 * ratio * ratio * ratio : 16.0 * 3.2 * ratio * ratio;
+    return bytes_of_program + points * bytes_per_point;
+}
+
 // A square of N nodes took 3.3 sqrt(N) steps to 1e-6 of its reactions from load to load where no bond broke; every breakage costs
 // as much again, and how many there will be nobody knows before.
 static double steps_to_rest(const pdmc_explicit *study, double nodes)

@@ -9,6 +9,7 @@
 #include "run/ensemble.h"
 #include "run/family.h"
 #include "run/motion.h"
+#include "run/quadrature.h"
 #include "run/quasi_static.h"
 #include "run/scalar.h"
 
@@ -222,6 +223,7 @@ pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, p
     else if (problem->kind == PDMC_EXPLICIT) PDMC_TRY(pdmc_run_ensemble(study, options, results));
     else if (problem->kind == PDMC_ELASTIC) PDMC_TRY(pdmc_run_elastic(&study->elastic, options, results));
     else if (problem->kind == PDMC_SCALAR) PDMC_TRY(pdmc_run_scalar(&study->scalar, options, results));
+    else if (problem->kind == PDMC_QUADRATURE) PDMC_TRY(pdmc_run_quadrature(&study->quadrature, options, results));
     else PDMC_TRY(run_plate(problem, options, results));
     results->runtime.total = pdmc_seconds() - start;
     results->runtime.output = NAN; // measured where the file is made

@@ -14,6 +14,7 @@
 #define IN_MOTION(field) offsetof(pdmc_explicit, field)
 #define IN_SCALAR(field) offsetof(pdmc_scalar, field)
 #define IN_ELASTIC(field) offsetof(pdmc_elastic, field)
+#define IN_QUADRATURE(field) offsetof(pdmc_horizon_study, field)
 #define OF(kind) .kinds = ONLY(kind)
 #define FOR(bits) .solvers = (bits)
 #define ANALYTIC ONLY(SOLVER_ANALYTIC)
@@ -59,6 +60,10 @@
     {SECTION_CONDITIONS, key "_gradient", KIND_VECTOR, .range = ANY,                                                   \
      .offset = offsetof(pdmc_explicit_condition, layer.gradient[axis]), .fallback = "zero",                            \
      .doc = "by which the component in " key " grows with the node's position, from the origin on"}
+#define STRESS ONLY(PDMC_INTEGRAL_STRESS)
+#define STRESS_COMPONENT(key, component)                                                                               \
+    {SECTION_QUADRATURE, key, KIND_REAL, UNIT_STRESS, ANY, IN_QUADRATURE(stress[component]), .fallback = "0.0",          \
+     WHERE("integral", STRESS), .doc = "component of the stress in the infinite body"}
 #define MODULUS(key, field, its_unit, text)                                                                            \
     {SECTION_PARTICLE_MATERIALS, key, KIND_OPTIONAL, its_unit, POSITIVE, offsetof(pdmc_explicit_material, field),      \
      .flag = offsetof(pdmc_explicit_material, has_##field), .fallback = "none", .doc = text}
@@ -178,10 +183,13 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
                        .size = sizeof(pdmc_elastic_condition), .items = IN_ELASTIC(conditions),
                        .count = IN_ELASTIC(condition_count), .check = pdmc_study_check_faces_of_solid},
     [SECTION_REST] = {.name = "rest", OF(PDMC_ELASTIC), .doc = "of an elastic study: how it comes to rest"},
+    [SECTION_QUADRATURE] = {.name = "quadrature", OF(PDMC_QUADRATURE), .check = pdmc_study_check_quadrature,
+                            .doc = "what rules for integrals over the horizon of a node cost and give: cubic cells, 2, 3 and 4 "
+                                   "Gauss points a side, exact volumes, and adaptive trapezoidal rules"},
 };
 
 // In the order of the enumerations in pdmc/problem.h.
-#define STUDY_KINDS CHOICES("static", "dynamic", "explicit", "quasi_static", "scalar", "elastic")
+#define STUDY_KINDS CHOICES("static", "dynamic", "explicit", "quasi_static", "scalar", "elastic", "quadrature")
 #define ASSUMPTIONS CHOICES("plane_stress", "plane_strain")
 #define SIDES CHOICES("left", "right", "bottom", "top")
 #define FACES CHOICES("none", "left", "right")
@@ -231,13 +239,16 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
     {SECTION_FACES, "gradient_" direction, KIND_REAL, UNIT_PER_LENGTH, ANY,                                            \
      offsetof(pdmc_elastic_condition, load.gradient[k]), .fallback = "0.0",                                            \
      .doc = "the traction times 1 + gradient . position, along the face"}
+#define INTEGRALS CHOICES("volume", "stress")
+#define PROFILES CHOICES("constant", "cone", "bell")
 #define CONDITIONS CHOICES("velocity", "force", "displacement")
 
 const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_TOP, "kind", KIND_CHOICE, .offset = IN_PROBLEM(kind), .choices = STUDY_KINDS, .fallback = "static",
      .doc = "equilibrium and energy release rates; motion under a history of the load; motion with growing cracks, "
             "impact and contact; growing cracks under loads so slow that bodies are at rest; a scalar field by finite "
-            "elements, refined from level to level; or the rest of an elastic box in space"},
+            "elements, refined from level to level; the rest of an elastic box in space; "
+            "or a comparison of rules for integrals over the horizon"},
     {SECTION_TOP, "title", KIND_TEXT, .offset = IN_PROBLEM(title), .fallback = "untitled",
      .doc = "what the study is about, for headings"},
     {SECTION_TOP, "seed", KIND_SEED, .range = NOT_NEGATIVE, .offset = IN_PROBLEM(sampling.seed), .fallback = "1",
@@ -721,6 +732,41 @@ const pdmc_study_setting pdmc_study_settings[] = {
      WHERE("method", DAMPED), .doc = "the step over spacing / sqrt(K / density)"},
     {SECTION_REST, "steps", KIND_INT, .range = FROM_TO(1, 1000000), .offset = IN_ELASTIC(steps), .fallback = "300",
      WHERE("method", DAMPED), .doc = "of the motion"},
+
+    {SECTION_QUADRATURE, "integral", KIND_CHOICE, .offset = IN_QUADRATURE(integral), .choices = INTEGRALS,
+     .fallback = "volume", .doc = "of the horizon itself, or of the forces that make the stress at a node of an infinite body"},
+    {SECTION_QUADRATURE, "dimension", KIND_INT, .range = FROM_TO(2, 3), .offset = IN_QUADRATURE(dimension),
+     .fallback = "3", .doc = "of space; a plane is in plane stress"},
+    {SECTION_QUADRATURE, "horizon", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_QUADRATURE(horizon),
+     .doc = "radius of the sphere or disc"},
+    {SECTION_QUADRATURE, "ratios", KIND_REALS, .range = FROM_TO(1.0, 100.0), .offset = IN_QUADRATURE(ratios),
+     .flag = IN_QUADRATURE(ratio_count), .fallback = "[3.0, 4.0, 5.0, 6.0, 8.0, 10.0]",
+     .doc = "of the horizon to the spacing, ascending; time grows as their third power, that of a stress as the fourth"},
+    {SECTION_QUADRATURE, "accuracy", KIND_REAL, .range = ABOVE_TO(0.0, 1.0), .offset = IN_QUADRATURE(accuracy),
+     .fallback = "5e-4", .doc = "EPS of the adaptive rule: what one index more may change of the integral over a cell"},
+    {SECTION_QUADRATURE, "threshold", KIND_REAL, .range = FROM_TO(0.0, 1.0), .offset = IN_QUADRATURE(threshold),
+     .fallback = "1e-4", .doc = "TOL of the adaptive rule, in cells: below it EPS is a share of a whole cell"},
+    {SECTION_QUADRATURE, "start", KIND_INT, .range = FROM_TO(0, 8), .offset = IN_QUADRATURE(start),
+     .fallback = "0, 2 of a stress",
+     .doc = "the smallest index of the adaptive rule: n has 2^(n - 1) intervals, 0 a point in the middle"},
+    {SECTION_QUADRATURE, "most", KIND_INT, .range = FROM_TO(0, 10), .offset = IN_QUADRATURE(most), .fallback = "8",
+     .doc = "the largest index of the adaptive rule"},
+    {SECTION_QUADRATURE, "extrapolation", KIND_CHOICE, .offset = IN_QUADRATURE(extrapolates), .choices = SWITCH,
+     .fallback = "on", .doc = "of two successive trapezoidal rules to Simpson's; off as printed by Yu"},
+    {SECTION_QUADRATURE, "youngs_modulus", KIND_REAL, UNIT_STRESS, POSITIVE, IN_QUADRATURE(youngs_modulus),
+     WHERE("integral", STRESS), .doc = "Young's modulus E of the infinite body"},
+    STRESS_COMPONENT("xx", 0),
+    STRESS_COMPONENT("yy", 1),
+    STRESS_COMPONENT("zz", 2),
+    STRESS_COMPONENT("yz", 3),
+    STRESS_COMPONENT("zx", 4),
+    STRESS_COMPONENT("xy", 5),
+    {SECTION_QUADRATURE, "profile", KIND_CHOICE, .offset = IN_QUADRATURE(profile), .choices = PROFILES,
+     .fallback = "constant", WHERE("integral", STRESS),
+     .doc = "of the micromodulus over the length of a bond: constant, falling as a cone, or as the bell (1 - r^2 / delta^2)^2"},
+    {SECTION_QUADRATURE, "stretch", KIND_CHOICE, .offset = IN_QUADRATURE(stretch), .choices = STRETCHES,
+     .fallback = "linear", WHERE("integral", STRESS),
+     .doc = "of the bonds: in full, or to first order in the displacements, which makes a difference of the order of the strain"},
     {.key = NULL},
 };
 
@@ -741,7 +787,9 @@ _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == si
                    sizeof(pdmc_space_kind) == sizeof(int) && sizeof(pdmc_outer_rule) == sizeof(int) &&
                    sizeof(pdmc_inner_rule) == sizeof(int) && sizeof(pdmc_solid_rule) == sizeof(int) &&
                    sizeof(pdmc_solid_compensation) == sizeof(int) && sizeof(pdmc_elastic_face) == sizeof(int) &&
-                   sizeof(pdmc_elastic_method) == sizeof(int) && sizeof(pdmc_condition_kind) == sizeof(int),
+                   sizeof(pdmc_elastic_method) == sizeof(int) && sizeof(pdmc_condition_kind) == sizeof(int) &&
+                   sizeof(pdmc_integral) == sizeof(int) && sizeof(pdmc_profile) == sizeof(int) &&
+                   sizeof(pdmc_bond_stretch) == sizeof(int),
                "enumerations of another size");
 
 pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem)
@@ -786,6 +834,7 @@ void *pdmc_study_home(const pdmc_study_section *section, const pdmc_study *study
     const unsigned of_bodies = ONLY(PDMC_EXPLICIT) | ONLY(PDMC_QUASI_STATIC);
     if (section->kinds == ONLY(PDMC_SCALAR)) return (void *)&study->scalar;
     if (section->kinds == ONLY(PDMC_ELASTIC)) return (void *)&study->elastic;
+    if (section->kinds == ONLY(PDMC_QUADRATURE)) return (void *)&study->quadrature;
     if (section->kinds != 0 && (section->kinds & ~of_bodies) == 0) return (void *)&study->motion;
     return (void *)&study->problem;
 }
@@ -824,21 +873,32 @@ static void print_choices(FILE *out, const char *const choices[])
     }
 }
 
+static void print_bounds(FILE *out, const pdmc_study_range *range)
+{
+    if (!isfinite(range->low)) fputs("finite", out);
+    else if (!isfinite(range->high)) fprintf(out, "%s %.15g", range->excluded ? ">" : ">=", range->low);
+    else if (range->excluded)
+        fprintf(out, "> %.15g and %s %.15g", range->low, range->below ? "<" : "<=", range->high);
+    else fprintf(out, "from %.15g to %.15g", range->low, range->high);
+}
+
+static void print_array(FILE *out, const pdmc_study_range *range)
+{
+    fputs("an array of 2 reals or more, [x1, x2, ...]", out);
+    if (isfinite(range->low)) fputs(", each ", out);
+    if (isfinite(range->low)) print_bounds(out, range);
+}
+
 void pdmc_study_print_range(FILE *out, const pdmc_study_setting *setting)
 {
-    const pdmc_study_range *range = &setting->range;
     if (setting->kind == KIND_CHOICE) print_choices(out, setting->choices);
     else if (setting->kind == KIND_TEXT) fputs("a text, not empty and without control characters", out);
     else if (setting->kind == KIND_NAME) fprintf(out, "a text of 1 to %d letters, digits, _ or -", PDMC_NAME_SIZE - 1);
     else if (setting->kind == KIND_CRACK) fputs("the name of a crack", out);
     else if (setting->kind == KIND_MATERIAL) fputs("the name of one of the materials", out);
     else if (setting->kind == KIND_TIPS) fputs("an array of names of tips", out);
-    else if (setting->kind == KIND_REALS) fputs("an array of 2 reals or more, [x1, x2, ...]", out);
-    else if (!isfinite(range->low)) fputs("finite", out);
-    else if (!isfinite(range->high)) fprintf(out, "%s %.15g", range->excluded ? ">" : ">=", range->low);
-    else if (range->excluded)
-        fprintf(out, "> %.15g and %s %.15g", range->low, range->below ? "<" : "<=", range->high);
-    else fprintf(out, "from %.15g to %.15g", range->low, range->high);
+    else if (setting->kind == KIND_REALS) print_array(out, &setting->range);
+    else print_bounds(out, &setting->range);
 }
 
 const char *pdmc_study_kind_noun(pdmc_study_kind kind)

@@ -23,7 +23,8 @@ static pdmc_status read_problem(const pdmc_study_source *source, FILE *warnings,
     pdmc_status status = parse_text(source, &config);
     if (status == PDMC_OK)
         status = pdmc_study_parse(&(pdmc_study_reader){
-            source, config_root_setting(&config), &study->problem, &study->motion, &study->scalar, &study->elastic, study, warnings});
+            source, config_root_setting(&config), &study->problem, &study->motion, &study->scalar, &study->elastic,
+            &study->quadrature, study, warnings});
     config_destroy(&config);
     return status;
 }
@@ -67,6 +68,7 @@ void pdmc_study_clear(pdmc_study *study)
     pdmc_explicit_clear(&study->motion);
     pdmc_scalar_clear(&study->scalar);
     pdmc_elastic_clear(&study->elastic);
+    pdmc_horizon_study_clear(&study->quadrature);
     pdmc_free(study->input);
     pdmc_free(study->resolved);
     pdmc_free(study->warnings);

@@ -90,6 +90,7 @@ typedef enum {
     SECTION_STRAIN,
     SECTION_FACES,
     SECTION_REST,
+    SECTION_QUADRATURE,
     SECTIONS
 } pdmc_study_section_id;
 
@@ -221,6 +222,7 @@ struct pdmc_study_reader {
     pdmc_explicit *motion; // ... too
     pdmc_scalar *scalar;   // ...
     pdmc_elastic *elastic; // ...
+    pdmc_horizon_study *quadrature; // ...
     const pdmc_study *study; // whose parts these are
     FILE *warnings;
 };
@@ -327,6 +329,9 @@ PDMC_NODISCARD pdmc_status pdmc_study_check_reliability(const pdmc_study_reader 
 /// Completes the solver of the control by its defaults.
 PDMC_NODISCARD pdmc_status pdmc_study_check_control(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_energy(const pdmc_study_reader *reader);
+
+// ... of a study of quadrature (check_quadrature.c)
+PDMC_NODISCARD pdmc_status pdmc_study_check_quadrature(const pdmc_study_reader *reader);
 
 // ... of an explicit study (check_explicit.c, check_bodies.c)
 PDMC_NODISCARD pdmc_status pdmc_study_check_particle_grid(const pdmc_study_reader *reader);

@@ -12,7 +12,8 @@ static const char *named(pdmc_problem_kind kind)
 {
     static const char *const names[] = {
         [PDMC_EXPLICIT] = "an explicit", [PDMC_QUASI_STATIC] = "a quasi-static", [PDMC_SCALAR] = "a scalar",
-        [PDMC_ELASTIC] = "an elastic"};
+        [PDMC_ELASTIC] = "an elastic",
+        [PDMC_QUADRATURE] = "a quadrature"};
     return names[kind];
 }
 

@@ -316,6 +316,12 @@ static pdmc_status write_elastic_energies(const pdmc_results *r, const csv_units
     return pdmc_csv_energies(r, stream);
 }
 
+static pdmc_status write_quadrature(const pdmc_results *r, const csv_units *units, FILE *stream)
+{
+    (void)units;
+    return pdmc_csv_quadrature(r, stream);
+}
+
 /// Writes through a stream of its own, since the descriptor belongs to the file.
 static pdmc_status write_stream(pdmc_whole_file *file, const pdmc_results *r, const csv_units *units, csv_writer *write)
 {
@@ -381,6 +387,7 @@ static const csv_file files[] = {
     {"faces.csv", write_solid_faces, PDMC_ELASTIC},
     {"energies.csv", write_elastic_energies, PDMC_ELASTIC},
     {"values.csv", write_values, PDMC_SCALAR},
+    {"quadrature.csv", write_quadrature, PDMC_QUADRATURE},
 };
 
 static bool is_wanted(const pdmc_results *r, const csv_file *file)

@@ -232,7 +232,8 @@ static json_t *everything(const pdmc_results *r)
         [PDMC_EXPLICIT] = "explicit",
         [PDMC_QUASI_STATIC] = "quasi_static",
         [PDMC_SCALAR] = "scalar",
-        [PDMC_ELASTIC] = "elastic"};
+        [PDMC_ELASTIC] = "elastic",
+        [PDMC_QUADRATURE] = "quadrature"};
     json_t *object = json_object();
     pdmc_json_put(&object, "kind", pdmc_json_text(kinds[r->kind]));
     pdmc_json_put(&object, "title", pdmc_json_text(r->title));
@@ -242,11 +243,12 @@ static json_t *everything(const pdmc_results *r)
     pdmc_json_put(&object, "status", pdmc_json_text(pdmc_run_status_names[r->status]));
     if (pdmc_is_of_plate(r->kind)) put_samples(r, &object);
     pdmc_json_put(&object, "units", pdmc_json_units(r));
+    if (pdmc_is_of_plate(r->kind)) put_plate(r, &object);
     if (pdmc_is_of_bodies(r->kind)) pdmc_json_put(&object, kinds[r->kind], pdmc_json_explicit(&r->particles));
-    else if (r->kind == PDMC_SCALAR) pdmc_json_put(&object, "scalar", pdmc_json_scalar(&r->scalar));
-    else if (r->kind == PDMC_ELASTIC) pdmc_json_put(&object, "elastic", pdmc_json_elastic(&r->elastic));
-    else put_plate(r, &object);
+    if (r->kind == PDMC_ELASTIC) pdmc_json_put(&object, "elastic", pdmc_json_elastic(&r->elastic));
     if (r->ensemble.sample_count > 0) pdmc_json_put(&object, "ensemble", pdmc_json_ensemble(r));
+    if (r->kind == PDMC_SCALAR) pdmc_json_put(&object, "scalar", pdmc_json_scalar(&r->scalar));
+    if (r->kind == PDMC_QUADRATURE) pdmc_json_put(&object, "quadrature", pdmc_json_quadrature(&r->quadrature));
     pdmc_json_put(&object, "runtime", pdmc_json_runtime(&r->runtime));
     return object;
 }

@@ -40,6 +40,8 @@ json_t *pdmc_json_elastic(const pdmc_elastic_record *record);
 
 /// The levels of a scalar study.
 json_t *pdmc_json_scalar(const pdmc_scalar_record *record);
+/// What a study of quadrature has measured.
+json_t *pdmc_json_quadrature(const pdmc_quadrature_record *record);
 
 /// Seconds, threads and memory.
 json_t *pdmc_json_runtime(const pdmc_runtime *t);

@@ -23,7 +23,9 @@ typedef enum {
     OF_EXPLICIT_FRAGMENTS,
     OF_EXPLICIT_MASSES,
     OF_GROWTH,
-    OF_PATHS
+    OF_PATHS,
+    OF_QUADRATURE_POINTS,
+    OF_QUADRATURE_TIME
 } subject;
 
 static pdmc_status draw(const pdmc_results *r, subject of, int tip, pdmc_measure measure, pdmc_figure *figure)
@@ -49,6 +51,8 @@ static pdmc_status draw(const pdmc_results *r, subject of, int tip, pdmc_measure
     case OF_GROWTH: pdmc_draw_growth(r, tip, figure); break;
     case OF_PATHS: pdmc_draw_paths(r, figure); break;
     case OF_EXPLICIT_MASSES: pdmc_draw_explicit_masses(r, figure); break;
+    case OF_QUADRATURE_POINTS: pdmc_draw_quadrature_points(r, figure); break;
+    case OF_QUADRATURE_TIME: pdmc_draw_quadrature_time(r, figure); break;
     }
     return PDMC_OK;
 }
@@ -170,16 +174,23 @@ done:
     return status;
 }
 
+static pdmc_status plot_quadrature(const pdmc_results *r, const char *folder)
+{
+    const pdmc_status status = plot(r, folder, "quadrature_points", OF_QUADRATURE_POINTS, 0, r->measure);
+    return status == PDMC_OK ? plot(r, folder, "quadrature_time", OF_QUADRATURE_TIME, 0, r->measure) : status;
+}
+
 pdmc_status pdmc_view_plot(const pdmc_results *results, const char *folder)
 {
+    static pdmc_status (*const of_kind[])(const pdmc_results *, const char *) = {
+        [PDMC_STATIC] = plot_plate, [PDMC_DYNAMIC] = plot_plate, [PDMC_EXPLICIT] = plot_explicit,
+        [PDMC_QUASI_STATIC] = plot_explicit, [PDMC_SCALAR] = plot_scalar,
+        [PDMC_ELASTIC] = plot_elastic, [PDMC_QUADRATURE] = plot_quadrature};
     pdmc_status status = PDMC_OK;
     pdmc_locale locale;
     PDMC_TRY(pdmc_locale_plain(&locale));
     PDMC_TRY(pdmc_folder_make(folder));
-    if (pdmc_is_of_bodies(results->kind)) PDMC_TRY(plot_explicit(results, folder));
-    else if (results->kind == PDMC_ELASTIC) PDMC_TRY(plot_elastic(results, folder));
-    else if (results->kind == PDMC_SCALAR) PDMC_TRY(plot_scalar(results, folder));
-    else PDMC_TRY(plot_plate(results, folder));
+    PDMC_TRY(of_kind[results->kind](results, folder));
 
 done:
     pdmc_locale_restore(&locale);

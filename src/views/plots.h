@@ -57,5 +57,9 @@ void pdmc_draw_paths(const pdmc_results *r, const pdmc_figure *figure);
 /// How many pieces are at least as heavy as any mass.
 void pdmc_draw_explicit_masses(const pdmc_results *r, const pdmc_figure *figure);
 
+/// Errors of rules for integrals over the horizon, over their points and over their time.
+void pdmc_draw_quadrature_points(const pdmc_results *r, const pdmc_figure *figure);
+void pdmc_draw_quadrature_time(const pdmc_results *r, const pdmc_figure *figure);
+
 /// The plate, its cracks, and its displaced nodes and crack faces.
 void pdmc_draw_plate(const pdmc_results *r, const pdmc_figure *figure);

@@ -264,6 +264,12 @@ static void print_scalar(const pdmc_results *r, FILE *stream)
     print_memory(r->runtime.peak_memory, stream);
 }
 
+static void print_quadrature(const pdmc_results *r, FILE *stream)
+{
+    pdmc_table_quadrature(r, stream);
+    print_memory(r->runtime.peak_memory, stream);
+}
+
 pdmc_status pdmc_view_table(const pdmc_results *results, FILE *stream)
 {
     pdmc_locale locale;
@@ -273,6 +279,7 @@ pdmc_status pdmc_view_table(const pdmc_results *results, FILE *stream)
     if (pdmc_is_of_bodies(results->kind)) print_explicit(results, stream);
     else if (results->kind == PDMC_ELASTIC) print_elastic(results, stream);
     else if (results->kind == PDMC_SCALAR) print_scalar(results, stream);
+    else if (results->kind == PDMC_QUADRATURE) print_quadrature(results, stream);
     else print_plate(results, stream);
     pdmc_locale_restore(&locale);
     if (fflush(stream) != 0 || ferror(stream)) return pdmc_raise(PDMC_ERR_IO, "the table cannot be written");

@@ -28,6 +28,8 @@ void pdmc_table_elastic(const pdmc_results *r, FILE *stream);
 
 /// What a scalar study has: its levels, and the rates from one to the next.
 void pdmc_table_scalar(const pdmc_results *r, FILE *stream);
+/// What a study of quadrature has: errors, points and times of the rules.
+void pdmc_table_quadrature(const pdmc_results *r, FILE *stream);
 
 /// What an explicit study has: its grid, energies at the end, tips, spheres.
 void pdmc_table_explicit(const pdmc_results *r, FILE *stream);
