@@ -35,9 +35,10 @@ typedef struct {
     double damping;  // of the last step
 } pdmc_relaxation_state;
 
-/// Steps of central differences until the forces are small. With adaptive damping c = 0.9 x 2 w, where
+/// Steps of central differences until the forces are small. With adaptive damping c = 0.8 x 2 w, where
 ///     w^2 = -sum v (f^n - f^(n-1)) / sum m v^2,
-/// Rayleigh's quotient of the motion v^(n-1/2): nearly critical for the mode in which the body moves. (Eq. 4.68-4.70 take
+/// Rayleigh's quotient of the motion v^(n-1/2): nearly critical for the mode in which the body moves;
+/// and where the body moves against its forces, sum v f < 0, it begins anew from a standstill. (Eq. 4.68-4.70 take
 /// the displacement in place of v, with a stiffness of every unknown by a division by its velocity.)
 /// Sums are taken in the order of the unknowns: nothing depends on the number of threads.
 /// @param[in,out] x        [unknowns] start and result
