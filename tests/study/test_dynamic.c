@@ -69,8 +69,9 @@ static void a_static_study_has_no_motion(void **state)
     CHECK_STATUS(read_with(LINE_TOP, "probes = ();", &study), PDMC_ERR_CONFIG);
     assert_string_equal(pdmc_last_error(), "study.cfg:11: probes: is not part of a study of kind \"static\"");
     CHECK_STATUS(read_with(LINE_TOP, "kind = \"moving\";", &study), PDMC_ERR_CONFIG);
-    assert_string_equal(pdmc_last_error(),
-                        "study.cfg:11: kind: \"moving\" is not allowed, must be \"static\", \"dynamic\" or \"explicit\"");
+    assert_string_equal(pdmc_last_error(), "study.cfg:11: kind: \"moving\" is not allowed, must be \"static\", "
+                                           "\"dynamic\", \"explicit\", \"quasi_static\", "
+                                           "\"scalar\", \"elastic\" or \"quadrature\"");
 }
 
 static void a_dynamic_study_has_no_samples(void **state)
