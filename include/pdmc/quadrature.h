@@ -66,19 +66,15 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_area_rule_create(double width, double h
 /// A zeroed rule is allowed.
 PDMC_API void pdmc_area_rule_clear(pdmc_area_rule *rule);
 
-/// Integrals over the part of a ball that lies in a box.
-typedef struct {
-    double volume;   // int dV
-    double distance; // int of the distance from the centre dV
-} pdmc_ball_in_box;
-
-/// The ball about a point within a box whose faces are at distances `below` and `above` from it along the three axes:
-/// one face, an edge, a corner, or several of them, in closed form. By the theorem of Gauss the integrals become those
-/// over the sphere's part in the box and over the discs that its faces cut from the ball.
+/// int |x| dV over the part of a ball about the origin that lies within a box whose faces are at distances `below` and
+/// `above` along the three axes: one face, an edge, a corner, or several of them, in closed form. By the theorem of Gauss
+/// the integral becomes those over the sphere's part in the box and over the discs that its faces cut from the ball. (For
+/// the volume see pdmc/horizon.h.)
 /// @param[in] radius  > 0
 /// @param[in] below   [3] >= 0, INFINITY where there is no face
 /// @param[in] above   [3] >= 0, the same
-PDMC_API pdmc_ball_in_box pdmc_integrate_ball_in_box(double radius, const double below[3], const double above[3]);
+/// @return length^4
+PDMC_API double pdmc_integrate_distance_in_box(double radius, const double below[3], const double above[3]);
 
 /// How a circle meets a triangle.
 typedef struct {

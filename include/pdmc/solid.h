@@ -67,9 +67,6 @@ PDMC_API void pdmc_solid_position(const pdmc_solid *solid, size_t node, double x
 /// beta_s of every node, [nodes]; owned by the body.
 PDMC_API const double *pdmc_solid_compensation_factors(const pdmc_solid *solid);
 
-/// Whether each node's displacement is prescribed, [nodes]; owned by the body.
-PDMC_API const unsigned char *pdmc_solid_prescribed(const pdmc_solid *solid);
-
 /// The displacement of the strain at prescribed nodes and zero elsewhere.
 /// @param[out] u  [3, nodes]
 PDMC_API void pdmc_solid_start(const pdmc_solid *solid, double u[]);
@@ -82,10 +79,6 @@ PDMC_API void pdmc_solid_force(const pdmc_solid *solid, const double u[], double
 
 /// Force density of the tractions alone, int_S f_L dS (eq. 4.48), [3, nodes]; owned by the body.
 PDMC_API const double *pdmc_solid_traction_force(const pdmc_solid *solid);
-
-/// sum_j |k_ij| of the three rows of every node (eq. 4.67, summed), [3, nodes]; owned by the body. What bounds the
-/// frequencies of the body and the fictitious masses of dynamic relaxation (Gerschgorin).
-PDMC_API const double *pdmc_solid_row_sums(const pdmc_solid *solid);
 
 /// What a solution of equilibrium reached.
 typedef struct {
@@ -121,7 +114,7 @@ PDMC_API double pdmc_solid_step(const pdmc_solid *solid, const pdmc_solid_motion
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_solid_move(const pdmc_solid *solid, const pdmc_solid_motion *motion,
                                                     double u[], double kinetic[], double elastic[]);
 
-/// Equilibrium by dynamic relaxation, with the fictitious masses of pdmc_solid_row_sums() (eq. 4.59, for a step of 1.1).
+/// Equilibrium by dynamic relaxation, with fictitious masses by the rows' sums (eq. 4.59, 4.67, for a step of 1.1).
 /// @param[in]     damping  constant, of a step of 1; negative for the adaptive one
 /// @param[in,out] u        as of pdmc_solid_rest()
 /// @return as pdmc_relax()

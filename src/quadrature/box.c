@@ -6,13 +6,6 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
-/// What a plane at distance `depth` > 0 from the centre cuts from a ball, within the rectangle [0, side[0]] x [0, side[1]]
-/// about its foot.
-typedef struct {
-    double area;     // int dA
-    double distance; // int of the distance from the centre dA
-} face;
-
 /// int_0^atan(end/side) (depth^2 + side^2 / cos^2 t)^(3/2) dt.
 static double edge_integral(double depth, double side, double end)
 {
@@ -21,23 +14,20 @@ static double edge_integral(double depth, double side, double end)
            depth * depth * depth * atan2(depth * end, side * far);
 }
 
-static face face_integrals(double radius, double depth, const double side[2])
+/// int of the distance from the centre dA over what a plane at distance `depth` > 0 from it cuts from a ball, within the
+/// rectangle [0, side[0]] x [0, side[1]] about its foot.
+static double face_integral(double radius, double depth, const double side[2])
 {
-    face result = {0.0, 0.0};
-    if (depth >= radius) return result;
+    if (depth >= radius) return 0.0;
     const double squared = radius * radius - depth * depth;
     double arc = 0.5 * M_PI, cubes = 0.0;
     for (int k = 0; k < 2; k++) {
         const double end = fmin(side[1 - k], sqrt(fmax(0.0, squared - side[k] * side[k])));
         if (end == 0.0) continue;
         arc -= atan2(end, side[k]);
-        result.area += 0.5 * side[k] * end;
         cubes += edge_integral(depth, side[k], end);
     }
-    arc = fmax(0.0, arc);
-    result.area += 0.5 * squared * arc;
-    result.distance = (cubes + pow(radius, 3) * arc - pow(depth, 3) * 0.5 * M_PI) / 3.0;
-    return result;
+    return (cubes + pow(radius, 3) * fmax(0.0, arc) - pow(depth, 3) * 0.5 * M_PI) / 3.0;
 }
 
 /// Half the area of the unit sphere where x > a and y > b, a^2 + b^2 < 1 (Tovchigrechko & Vakser, Protein Science 10
@@ -66,29 +56,25 @@ static double sphere_area(double radius, const double side[3])
     return fmax(0.0, area) * radius * radius;
 }
 
-/// The ball within one octant of the box, by the theorem of Gauss: div x = 3 and div(|x| x) = 4 |x|.
-static void add_octant(double radius, const double side[3], pdmc_ball_in_box *sum)
+/// The ball within one octant of the box, by the theorem of Gauss: div(|x| x) = 4 |x|.
+static double octant_integral(double radius, const double side[3])
 {
-    if (side[0] <= 0.0 || side[1] <= 0.0 || side[2] <= 0.0) return;
-    const double sphere = sphere_area(radius, side);
-    double volume = radius * sphere, distance = radius * radius * sphere;
+    if (side[0] <= 0.0 || side[1] <= 0.0 || side[2] <= 0.0) return 0.0;
+    double flux = radius * radius * sphere_area(radius, side);
     for (int k = 0; k < 3; k++) {
         const double across[2] = {side[(k + 1) % 3], side[(k + 2) % 3]};
-        const face cut = face_integrals(radius, side[k], across);
-        volume += side[k] * cut.area;
-        distance += side[k] * cut.distance;
+        flux += side[k] * face_integral(radius, side[k], across);
     }
-    sum->volume += volume / 3.0;
-    sum->distance += distance / 4.0;
+    return flux / 4.0;
 }
 
-pdmc_ball_in_box pdmc_integrate_ball_in_box(double radius, const double below[3], const double above[3])
+double pdmc_integrate_distance_in_box(double radius, const double below[3], const double above[3])
 {
-    pdmc_ball_in_box sum = {0.0, 0.0};
+    double sum = 0.0;
     for (int octant = 0; octant < 8; octant++) {
         double side[3];
         for (int k = 0; k < 3; k++) side[k] = fmin(octant >> k & 1 ? above[k] : below[k], 2.0 * radius);
-        add_octant(radius, side, &sum);
+        sum += octant_integral(radius, side);
     }
     return sum;
 }

@@ -39,7 +39,7 @@ double solid_horizon_share(const pdmc_solid *solid, const int index[3])
 {
     double below[3], above[3];
     distances(solid, index, below, above);
-    return pdmc_integrate_ball_in_box(solid->options.horizon, below, above).distance /
+    return pdmc_integrate_distance_in_box(solid->options.horizon, below, above) /
            (M_PI * gsl_pow_4(solid->options.horizon));
 }
 

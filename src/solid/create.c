@@ -129,19 +129,9 @@ const double *pdmc_solid_compensation_factors(const pdmc_solid *solid)
     return solid->compensation;
 }
 
-const unsigned char *pdmc_solid_prescribed(const pdmc_solid *solid)
-{
-    return solid->prescribed;
-}
-
 const double *pdmc_solid_traction_force(const pdmc_solid *solid)
 {
     return solid->traction;
-}
-
-const double *pdmc_solid_row_sums(const pdmc_solid *solid)
-{
-    return solid->row_sum;
 }
 
 void pdmc_solid_start(const pdmc_solid *solid, double u[])

@@ -81,30 +81,26 @@ static void forces_have_an_energy(void **state)
     pdmc_solid_destroy(solid);
 }
 
-/// The energy of an isotropic strain e is 3 E e^2 at every node, which is what compensation by sums is for.
-static void energy_is_compensated(void **state)
+/// The middle of an end face sees one surface alone, the sides being farther than the horizon: eq. 4.51, its sign mended.
+static void one_surface(void **state)
 {
     (void)state;
     pdmc_solid_options options = COLUMN;
     pdmc_solid *solid;
-    CHECK_OK(pdmc_solid_create(&options, &solid));
-    const size_t n = pdmc_solid_nodes(solid);
-    double x[3];
-    pdmc_solid_destroy(solid);
+    const double d = 6.0, h = 1.0; // the outermost node is half a spacing below the surface
+    int found = 0;
+    options.nodes[0] = options.nodes[2] = 13;
     options.compensation = PDMC_COMPENSATION_EXACT;
     CHECK_OK(pdmc_solid_create(&options, &solid));
     const double *beta = pdmc_solid_compensation_factors(solid);
-    CHECK_NEAR(beta[n / 2 + 4 + 8 * 8], 1.0, 0.03); // a corner of the horizon reaches out of the thin column
-    const double d = 6.0, h = 1.0; // the middle of an end face: one surface but for the sides, farther than d
-    options.nodes[0] = options.nodes[2] = 13;
-    pdmc_solid_destroy(solid);
-    CHECK_OK(pdmc_solid_create(&options, &solid));
-    beta = pdmc_solid_compensation_factors(solid);
     for (size_t i = 0; i < pdmc_solid_nodes(solid); i++) {
+        double x[3];
         pdmc_solid_position(solid, i, x);
         if (x[0] != 0.0 || x[1] != 15.0 || x[2] != 0.0) continue;
         CHECK_NEAR(beta[i], 6.0 * gsl_pow_4(d) / (3.0 * gsl_pow_4(d) + 4.0 * gsl_pow_3(d) * h - gsl_pow_4(h)), 1e-13);
+        found++;
     }
+    assert_int_equal(found, 1);
     pdmc_solid_destroy(solid);
 }
 
@@ -182,7 +178,7 @@ static void energy_stays(void **state)
             off[k] = fmax(off[k], fabs(elastic[i] + 0.5 * (kinetic[i] + kinetic[i + 1]) - elastic[0]) / elastic[0]);
     }
     print_message("energy off by %.2e and %.2e\n", off[0], off[1]);
-    assert_true(off[0] < 0.05 && off[1] < off[0] / 3.5);
+    assert_true(off[0] < 0.01 && off[1] < off[0] / 3.5);
     free(u);
     pdmc_solid_destroy(solid);
 }
@@ -234,14 +230,10 @@ static void refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(uniform_strain),
-        cmocka_unit_test(forces_have_an_energy),
-        cmocka_unit_test(energy_is_compensated),
-        cmocka_unit_test(sums_are_compensated),
-        cmocka_unit_test(three_ways),
-        cmocka_unit_test(energy_stays),
-        cmocka_unit_test(threads),
-        cmocka_unit_test(refusals),
+        cmocka_unit_test(uniform_strain), cmocka_unit_test(forces_have_an_energy),
+        cmocka_unit_test(one_surface),    cmocka_unit_test(sums_are_compensated),
+        cmocka_unit_test(three_ways),     cmocka_unit_test(energy_stays),
+        cmocka_unit_test(threads),        cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
