@@ -17,6 +17,8 @@ static const pdmc_solid_options COLUMN = {
     .strain = {{-2.5e-5, 0.0, 0.0}, {0.0, 1e-4, 0.0}, {0.0, 0.0, -2.5e-5}},
 };
 
+enum { PULLED = 3 }; // the upper face along y
+
 static double *vector(size_t count)
 {
     double *v = calloc(count, sizeof *v);
@@ -101,6 +103,37 @@ static void one_surface(void **state)
         found++;
     }
     assert_int_equal(found, 1);
+    pdmc_solid_destroy(solid);
+    options.load[PULLED].traction[1] = 1.0; // beyond a face that is pulled there is what pulls
+    CHECK_OK(pdmc_solid_create(&options, &solid));
+    beta = pdmc_solid_compensation_factors(solid);
+    for (size_t i = 0; i < pdmc_solid_nodes(solid); i++) {
+        double x[3];
+        pdmc_solid_position(solid, i, x);
+        if (x[0] == 0.0 && x[1] == 15.0 && x[2] == 0.0) CHECK_NEAR(beta[i], 1.0, 1e-13);
+    }
+    pdmc_solid_destroy(solid);
+}
+
+/// A body that nothing holds comes to rest under loads in balance: shear on four faces, each pair with a moment of its
+/// own. Mean shear strain 1/2 t / mu, mu = 2 E / 5, but for surfaces; one pair alone would turn it.
+static void free_body(void **state)
+{
+    (void)state;
+    pdmc_solid_options options = COLUMN;
+    pdmc_solid *solid;
+    pdmc_solid_solution solution;
+    options.nodes[1] = 8;
+    for (int face = 0; face < 4; face++) options.load[face].traction[face < 2 ? 1 : 0] = face % 2 ? 1.0 : -1.0;
+    CHECK_OK(pdmc_solid_create(&options, &solid));
+    double *u = vector(3 * pdmc_solid_nodes(solid));
+    CHECK_OK(pdmc_solid_rest(solid, 1e-8, u, &solution));
+    assert_true(solution.iterations > 0 && u[8 * 8 * 4 + 7 * 8 + 4] > u[8 * 8 * 4 + 4]); // u_x grows with y
+    pdmc_solid_destroy(solid);
+    options.load[0].traction[1] = options.load[1].traction[1] = 0.0;
+    CHECK_OK(pdmc_solid_create(&options, &solid));
+    CHECK_STATUS(pdmc_solid_rest(solid, 1e-8, u, &solution), PDMC_ERR_ARG);
+    free(u);
     pdmc_solid_destroy(solid);
 }
 
@@ -230,10 +263,15 @@ static void refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(uniform_strain), cmocka_unit_test(forces_have_an_energy),
-        cmocka_unit_test(one_surface),    cmocka_unit_test(sums_are_compensated),
-        cmocka_unit_test(three_ways),     cmocka_unit_test(energy_stays),
-        cmocka_unit_test(threads),        cmocka_unit_test(refusals),
+        cmocka_unit_test(uniform_strain),
+        cmocka_unit_test(forces_have_an_energy),
+        cmocka_unit_test(one_surface),
+        cmocka_unit_test(free_body),
+        cmocka_unit_test(sums_are_compensated),
+        cmocka_unit_test(three_ways),
+        cmocka_unit_test(energy_stays),
+        cmocka_unit_test(threads),
+        cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

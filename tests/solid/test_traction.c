@@ -93,9 +93,43 @@ static void forces_add_up(void **state)
     }
 }
 
+/// Under the middle of a face, farther than the horizon from its sides, each layer of cells feels the mean over its depths
+/// of f_L integrated over the whole disc: the normal strain of a uniform bar.
+static void each_layer_has_its_share(void **state)
+{
+    (void)state;
+    pdmc_solid_options options = BLOCK;
+    pdmc_solid *solid;
+    const double horizon = options.horizon, h = options.spacing, e = 2.0 / options.youngs_modulus;
+    const double strain[3][3] = {{-0.25 * e, 0.0, 0.0}, {0.0, -0.25 * e, 0.0}, {0.0, 0.0, e}};
+    const double micromodulus = 12.0 * options.youngs_modulus / (M_PI * gsl_pow_4(horizon));
+    double depth[POINTS], depth_weight[POINTS], at[POINTS], weight[POINTS];
+    options.nodes[1] = 9;
+    options.load[5].traction[2] = 2.0;
+    CHECK_OK(pdmc_solid_create(&options, &solid));
+    const size_t n = pdmc_solid_nodes(solid);
+    const double *f = pdmc_solid_traction_force(solid) + 2 * n;
+    CHECK_OK(pdmc_gauss_legendre(POINTS, 0.0, 1.0, at, weight));
+    for (int layer = 0; layer < 4; layer++) {
+        double want = 0.0;
+        if (layer < 3) CHECK_OK(pdmc_gauss_legendre(POINTS, layer * h, (layer + 1) * h, depth, depth_weight));
+        for (int i = 0; i < POINTS && layer < 3; i++) {
+            const double disc = sqrt(horizon * horizon - depth[i] * depth[i]);
+            for (int j = 0; j < POINTS; j++) { // the normal part does not depend on the angle
+                double force[3];
+                pdmc_line_to_point_force(strain, horizon, depth[i], (double[]){disc * at[j], 0.0}, force);
+                want += depth_weight[i] / h * weight[j] * disc * 2.0 * M_PI * disc * at[j] * micromodulus * force[2];
+            }
+        }
+        const size_t node = ((size_t)(options.nodes[2] - 1 - layer) * 9 + 4) * 9 + 4;
+        CHECK_NEAR(f[node], want, 1e-3 * 2.0 / h); // 4 and 12 Gauss points against 24, where f_L falls as log r
+    }
+    pdmc_solid_destroy(solid);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(closed_form), cmocka_unit_test(areal_force_density),
-                                       cmocka_unit_test(forces_add_up)};
+                                       cmocka_unit_test(forces_add_up), cmocka_unit_test(each_layer_has_its_share)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
