@@ -3,31 +3,20 @@
 /// The table of settings. Everything about a setting is said here and nowhere else: it is read, checked, defaulted,
 /// written into the resolved study and described from its line.
 
-#include "study/study_impl.h"
+#include "study/schema.h"
 
 #include <math.h>
-#include <string.h>
 
 #define CHOICES(...) (const char *const[]) { __VA_ARGS__, NULL }
-#define ONLY(quantity) (1U << (quantity))
 #define IN_PROBLEM(field) offsetof(pdmc_problem, field)
 #define IN_MOTION(field) offsetof(pdmc_explicit, field)
 #define IN_SCALAR(field) offsetof(pdmc_scalar, field)
-#define IN_ELASTIC(field) offsetof(pdmc_elastic, field)
 #define IN_QUADRATURE(field) offsetof(pdmc_horizon_study, field)
-#define OF(kind) .kinds = ONLY(kind)
 #define FOR(bits) .solvers = (bits)
 #define ANALYTIC ONLY(SOLVER_ANALYTIC)
 #define PAPER ONLY(SOLVER_PAPER)
 #define VISIBLE ONLY(SOLVER_VISIBLE)
 #define BOND ONLY(SOLVER_BOND)
-#define LIST(type, field, length)                                                                                      \
-    .size = sizeof(type), .items = offsetof(pdmc_problem, field), .count = offsetof(pdmc_problem, length)
-#define PARTICLE_LIST(type, field, length)                                                                             \
-    .size = sizeof(type), .items = offsetof(pdmc_explicit, field), .count = offsetof(pdmc_explicit, length)
-#define OF_SAMPLES .kinds = ONLY(PDMC_STATIC) | ONLY(PDMC_EXPLICIT)
-#define OF_PLATES .kinds = ONLY(PDMC_STATIC) | ONLY(PDMC_DYNAMIC)
-#define OF_BODIES .kinds = ONLY(PDMC_EXPLICIT) | ONLY(PDMC_QUASI_STATIC)
 #define WHERE(key, bits) .of = (key), .values = (bits)
 #define PLANE ONLY(2)
 #define BOX ONLY(PDMC_SHAPE_BOX)
@@ -67,7 +56,6 @@
 #define MODULUS(key, field, its_unit, text)                                                                            \
     {SECTION_PARTICLE_MATERIALS, key, KIND_OPTIONAL, its_unit, POSITIVE, offsetof(pdmc_explicit_material, field),      \
      .flag = offsetof(pdmc_explicit_material, has_##field), .fallback = "none", .doc = text}
-
 #define MICROMODULUS ONLY(PDMC_QUANTITY_MICROMODULUS)
 #define STIFFNESS ONLY(PDMC_QUANTITY_STIFFNESS)
 #define NOISE (15U * ONLY(PDMC_QUANTITY_LOAD_NOISE_LEFT)) // of the four sides
@@ -78,115 +66,11 @@
 #define OF_LAW(key, id, allowed, text)                                                                                 \
     {SECTION_RANDOM, key, KIND_OPTIONAL, .range = allowed, .offset = offsetof(pdmc_uncertainty, given.value[id]),       \
      .flag = offsetof(pdmc_uncertainty, given.has[id]), .quantities = SCALAR, .fallback = "none", .doc = text}
-
 #define ANY {-INFINITY, INFINITY, false, false}
 #define POSITIVE {0.0, INFINITY, true, false}
 #define NOT_NEGATIVE {0.0, INFINITY, false, false}
 #define FROM_TO(low, high) {(low), (high), false, false}
 #define ABOVE_TO(low, high) {(low), (high), true, false}
-
-const pdmc_study_section pdmc_study_sections[SECTIONS] = {
-    [SECTION_TOP] = {.name = "", .doc = "the study as a whole"},
-    [SECTION_UNITS] = {.name = "units", .doc = "of every number in the file, carried to all results"},
-    [SECTION_PLATE] = {.name = "plate", .doc = "the rectangle, its middle at the origin", OF_PLATES},
-    [SECTION_MATERIAL] = {.name = "material", .doc = "linear elastic; Poisson's ratio follows from the assumption",
-                          OF_PLATES},
-    [SECTION_CRACKS] = {.name = "cracks", .doc = "list of straight cracks inside the plate; tips are <name>.from, .to",
-                        OF_PLATES, LIST(pdmc_crack, cracks, crack_count), .check = pdmc_study_check_cracks},
-    [SECTION_LOADS] = {.name = "loads", .doc = "list of tractions on whole sides", OF_PLATES,
-                       LIST(pdmc_load, loads, load_count)},
-    [SECTION_SUPPORTS] = {.name = "supports", .doc = "list of sides with prescribed displacements", OF_PLATES,
-                          LIST(pdmc_support, supports, support_count), .check = pdmc_study_check_loads},
-    [SECTION_SOLVER] = {.name = "solver", .doc = "how the field is computed", OF_PLATES, .check = pdmc_study_check_solver},
-    [SECTION_DYNAMICS] = {.name = "dynamics", .doc = "inertia, damping and time of a dynamic study", OF(PDMC_DYNAMIC),
-                          .check = pdmc_study_check_dynamics},
-    [SECTION_HISTORY] = {.name = "history", OF(PDMC_DYNAMIC),
-                         .doc = "list of factors on all tractions of a dynamic study, linear in between; without it a "
-                                "load that rises within the first step and stays",
-                         LIST(pdmc_history_point, history, history_count), .check = pdmc_study_check_history},
-    [SECTION_PROBES] = {.name = "probes", .doc = "list of points whose displacement a dynamic study records",
-                        OF(PDMC_DYNAMIC), LIST(pdmc_probe, probes, probe_count), .check = pdmc_study_check_probes},
-    [SECTION_RANDOM] = {.name = "random", .doc = "list of uncertain quantities; without it the study is deterministic",
-                        LIST(pdmc_uncertainty, uncertainties, uncertainty_count), .check = pdmc_study_check_random,
-                        OF_SAMPLES, .instead = "a dynamic study is deterministic for now"},
-    [SECTION_CORRELATIONS] = {.name = "correlations", OF_SAMPLES,
-                              .doc = "list of pairs of scalar quantities that depend on each other, by a Gaussian copula",
-                              LIST(pdmc_correlation, correlations, correlation_count),
-                              .check = pdmc_study_check_correlations},
-    [SECTION_SAMPLING] = {.name = "sampling", .doc = "the Monte Carlo simulation", OF_SAMPLES,
-                          .check = pdmc_study_check_sampling},
-    [SECTION_RELIABILITY] = {.name = "reliability", OF(PDMC_STATIC), .check = pdmc_study_check_reliability,
-                             .doc = "the probability that any tip grows, where it is rare, and what it comes from"},
-    [SECTION_ENERGY] = {.name = "energy", .doc = "the energy release rates that are asked for",
-                        OF(PDMC_STATIC), .check = pdmc_study_check_energy},
-    [SECTION_CONTROL] = {.name = "control", OF(PDMC_STATIC), .check = pdmc_study_check_control,
-                         .doc = "samples of a cheaper method with the same random numbers, by which those of the study know "
-                                "means and P(G > G_c) better"},
-    [SECTION_PARTICLE_GRID] = {.name = "grid", .doc = "of bodies of bonds: its nodes and how far their bonds reach",
-                               OF_BODIES, .check = pdmc_study_check_particle_grid},
-    [SECTION_PARTICLE_MATERIALS] = {.name = "materials", OF_BODIES,
-                                    .doc = "of bodies of bonds: list of the bonds' laws, each with one of the moduli",
-                                    PARTICLE_LIST(pdmc_explicit_material, materials, material_count),
-                                    .check = pdmc_study_check_particle_materials},
-    [SECTION_BODIES] = {.name = "bodies", OF_BODIES,
-                        .doc = "of bodies of bonds: list of what is held together by bonds; they may touch, but not "
-                               "overlap",
-                        PARTICLE_LIST(pdmc_explicit_body, bodies, body_count), .check = pdmc_study_check_bodies},
-    [SECTION_PLANAR_CRACKS] = {.name = "cracks", OF_BODIES,
-                               .doc = "of bodies of bonds: list of surfaces whose bonds are broken at the start; the "
-                                      "tips of a segment, <name>.from and .to, are followed",
-                               PARTICLE_LIST(pdmc_planar_crack, cracks, crack_count),
-                               .check = pdmc_study_check_planar_cracks},
-    [SECTION_CONDITIONS] = {.name = "conditions", OF_BODIES,
-                            .doc = "of bodies of bonds: list of velocities, forces or displacements prescribed in layers "
-                                   "of nodes",
-                            PARTICLE_LIST(pdmc_explicit_condition, conditions, condition_count),
-                            .check = pdmc_study_check_conditions},
-    [SECTION_SPHERES] = {.name = "spheres", OF(PDMC_EXPLICIT),
-                         .doc = "of an explicit study: list of rigid spheres without friction, discs in the plane",
-                         PARTICLE_LIST(pdmc_explicit_sphere, spheres, sphere_count),
-                         .check = pdmc_study_check_spheres},
-    [SECTION_NO_FAIL] = {.name = "no_fail", OF_BODIES, .check = pdmc_study_check_no_fail,
-                         .doc = "of bodies of bonds: list of zones; a bond whose nodes both lie in them never breaks",
-                         PARTICLE_LIST(pdmc_shape, no_fail, no_fail_count)},
-    [SECTION_CONTACT] = {.name = "contact", .doc = "of an explicit study: how nodes repel each other", OF(PDMC_EXPLICIT)},
-    [SECTION_DAMPING] = {.name = "damping", .doc = "of an explicit study: linear and viscous", OF(PDMC_EXPLICIT)},
-    [SECTION_TIME] = {.name = "time", .doc = "of an explicit study: how long, in which steps", OF(PDMC_EXPLICIT),
-                      .check = pdmc_study_check_time},
-    [SECTION_LOADING] = {.name = "loading", OF(PDMC_QUASI_STATIC), .check = pdmc_study_check_loading,
-                         .doc = "of a quasi-static study: loads from 0 on, each brought to rest by dynamic relaxation"},
-    [SECTION_RECORD] = {.name = "record", .doc = "of bodies of bonds: what is kept", OF_BODIES,
-                        .check = pdmc_study_check_record},
-    [SECTION_DOMAIN] = {.name = "domain", OF(PDMC_SCALAR),
-                        .doc = "of a scalar study: an interval or a rectangle, its middle at the origin; the field is "
-                               "prescribed in a layer round it as wide as the horizon"},
-    [SECTION_KERNEL] = {.name = "kernel", OF(PDMC_SCALAR), .check = pdmc_study_check_kernel,
-                        .doc = "of a scalar study: c(r) of L u = int c (u' - u), scaled so that long waves see the "
-                               "Laplacian"},
-    [SECTION_ELEMENTS] = {.name = "elements", OF(PDMC_SCALAR), .check = pdmc_study_check_elements,
-                          .doc = "of a scalar study: linear finite elements, intervals or triangles"},
-    [SECTION_WAVE] = {.name = "wave", OF(PDMC_SCALAR), .check = pdmc_study_check_wave,
-                      .doc = "of a scalar study: the solution sin(k.x + phase), whose source and values in the layer are given"},
-    [SECTION_CONVERGENCE] = {.name = "convergence", OF(PDMC_SCALAR), .check = pdmc_study_check_convergence,
-                             .doc = "of a scalar study: what is halved from level to level"},
-    [SECTION_MARCH] = {.name = "motion", OF(PDMC_SCALAR), .check = pdmc_study_check_march,
-                       .doc = "of a scalar study: the wave standing and swinging, by central differences"},
-    [SECTION_SOLID] = {.name = "solid", OF(PDMC_ELASTIC), .check = pdmc_study_check_solid,
-                       .doc = "of an elastic study: a box of nodes on a cubic grid, its middle at the origin; Poisson's ratio "
-                              "is 1/4"},
-    [SECTION_INTEGRATION] = {.name = "integration", OF(PDMC_ELASTIC), .check = pdmc_study_check_integration,
-                             .doc = "of an elastic study: the integral over a node's horizon"},
-    [SECTION_STRAIN] = {.name = "strain", OF(PDMC_ELASTIC),
-                        .doc = "of an elastic study: the uniform strain whose displacement is prescribed in layers"},
-    [SECTION_FACES] = {.name = "faces", OF(PDMC_ELASTIC),
-                       .doc = "of an elastic study: list of faces that are held or pulled; the others are free",
-                       .size = sizeof(pdmc_elastic_condition), .items = IN_ELASTIC(conditions),
-                       .count = IN_ELASTIC(condition_count), .check = pdmc_study_check_faces_of_solid},
-    [SECTION_REST] = {.name = "rest", OF(PDMC_ELASTIC), .doc = "of an elastic study: how it comes to rest"},
-    [SECTION_QUADRATURE] = {.name = "quadrature", OF(PDMC_QUADRATURE), .check = pdmc_study_check_quadrature,
-                            .doc = "what rules for integrals over the horizon of a node cost and give: cubic cells, 2, 3 and 4 "
-                                   "Gauss points a side, exact volumes, and adaptive trapezoidal rules"},
-};
 
 // In the order of the enumerations in pdmc/problem.h.
 #define STUDY_KINDS CHOICES("static", "dynamic", "explicit", "quasi_static", "scalar", "elastic", "quadrature")
@@ -791,122 +675,3 @@ _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == si
                    sizeof(pdmc_integral) == sizeof(int) && sizeof(pdmc_profile) == sizeof(int) &&
                    sizeof(pdmc_bond_stretch) == sizeof(int),
                "enumerations of another size");
-
-pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem)
-{
-    static const pdmc_study_solver of_cracks[] = {
-        [PDMC_CRACKS_ANALYTIC] = SOLVER_ANALYTIC, [PDMC_CRACKS_PAPER] = SOLVER_PAPER,
-        [PDMC_CRACKS_VISIBLE] = SOLVER_VISIBLE};
-    return problem->solver.method == PDMC_METHOD_BOND ? SOLVER_BOND : of_cracks[problem->solver.crack_model];
-}
-
-const pdmc_study_setting *pdmc_study_find_setting(pdmc_study_section_id section, const char *key)
-{
-    for (const pdmc_study_setting *s = pdmc_study_settings; s->key; s++)
-        if (s->section == section && strcmp(s->key, key) == 0) return s;
-    return NULL;
-}
-
-static bool has_value(const pdmc_study_setting *setting, const void *base)
-{
-    int value;
-    const pdmc_study_setting *of = pdmc_study_find_setting(setting->section, setting->of);
-    memcpy(&value, (const char *)base + of->offset, sizeof value);
-    return setting->values & ONLY(value);
-}
-
-bool pdmc_study_setting_belongs(const pdmc_study_setting *setting, const void *base)
-{
-    if (setting->of) return has_value(setting, base);
-    if (setting->solvers != 0) return setting->solvers & ONLY(pdmc_study_solver_of(base));
-    if (setting->quantities == 0) return true;
-    const pdmc_uncertainty *uncertainty = base;
-    return setting->quantities & ONLY(uncertainty->quantity);
-}
-
-bool pdmc_study_setting_of_kind(const pdmc_study_setting *setting, pdmc_problem_kind kind)
-{
-    return setting->kinds == 0 || setting->kinds & ONLY(kind);
-}
-
-void *pdmc_study_home(const pdmc_study_section *section, const pdmc_study *study)
-{
-    const unsigned of_bodies = ONLY(PDMC_EXPLICIT) | ONLY(PDMC_QUASI_STATIC);
-    if (section->kinds == ONLY(PDMC_SCALAR)) return (void *)&study->scalar;
-    if (section->kinds == ONLY(PDMC_ELASTIC)) return (void *)&study->elastic;
-    if (section->kinds == ONLY(PDMC_QUADRATURE)) return (void *)&study->quadrature;
-    if (section->kinds != 0 && (section->kinds & ~of_bodies) == 0) return (void *)&study->motion;
-    return (void *)&study->problem;
-}
-
-bool pdmc_study_section_belongs(const pdmc_study_section *section, pdmc_problem_kind kind)
-{
-    return section->kinds == 0 || section->kinds & ONLY(kind);
-}
-
-void pdmc_study_print_unit(FILE *out, pdmc_study_unit unit, const pdmc_study_units *units)
-{
-    const char *length = units->length, *force = units->force, *time = units->time;
-    switch (unit) {
-    case UNIT_NONE: break;
-    case UNIT_LENGTH: fputs(length, out); break;
-    case UNIT_STRESS: fprintf(out, "%s/%s^2", force, length); break;
-    case UNIT_LINE_FORCE: fprintf(out, "%s/%s", force, length); break;
-    case UNIT_TIME: fputs(time, out); break;
-    case UNIT_RATE: fprintf(out, "1/%s", time); break;
-    case UNIT_MASS_DENSITY: fprintf(out, "%s %s^2/%s^4", force, time, length); break;
-    case UNIT_MASS: fprintf(out, "%s %s^2/%s", force, time, length); break;
-    case UNIT_VELOCITY: fprintf(out, "%s/%s", length, time); break;
-    case UNIT_MICROMODULUS: fprintf(out, "%s/%s^6", force, length); break;
-    case UNIT_PENALTY: fprintf(out, "%s/%s^5", force, length); break;
-    case UNIT_DAMPING: fprintf(out, "%s %s/%s^4", force, time, length); break;
-    case UNIT_PER_LENGTH: fprintf(out, "1/%s", length); break;
-    case UNIT_SLOWNESS: fprintf(out, "%s/%s", time, length); break;
-    }
-}
-
-static void print_choices(FILE *out, const char *const choices[])
-{
-    for (int i = 0; choices[i]; i++) {
-        if (i > 0) fputs(choices[i + 1] ? ", " : " or ", out);
-        fprintf(out, "\"%s\"", choices[i]);
-    }
-}
-
-static void print_bounds(FILE *out, const pdmc_study_range *range)
-{
-    if (!isfinite(range->low)) fputs("finite", out);
-    else if (!isfinite(range->high)) fprintf(out, "%s %.15g", range->excluded ? ">" : ">=", range->low);
-    else if (range->excluded)
-        fprintf(out, "> %.15g and %s %.15g", range->low, range->below ? "<" : "<=", range->high);
-    else fprintf(out, "from %.15g to %.15g", range->low, range->high);
-}
-
-static void print_array(FILE *out, const pdmc_study_range *range)
-{
-    fputs("an array of 2 reals or more, [x1, x2, ...]", out);
-    if (isfinite(range->low)) fputs(", each ", out);
-    if (isfinite(range->low)) print_bounds(out, range);
-}
-
-void pdmc_study_print_range(FILE *out, const pdmc_study_setting *setting)
-{
-    if (setting->kind == KIND_CHOICE) print_choices(out, setting->choices);
-    else if (setting->kind == KIND_TEXT) fputs("a text, not empty and without control characters", out);
-    else if (setting->kind == KIND_NAME) fprintf(out, "a text of 1 to %d letters, digits, _ or -", PDMC_NAME_SIZE - 1);
-    else if (setting->kind == KIND_CRACK) fputs("the name of a crack", out);
-    else if (setting->kind == KIND_MATERIAL) fputs("the name of one of the materials", out);
-    else if (setting->kind == KIND_TIPS) fputs("an array of names of tips", out);
-    else if (setting->kind == KIND_REALS) print_array(out, &setting->range);
-    else print_bounds(out, &setting->range);
-}
-
-const char *pdmc_study_kind_noun(pdmc_study_kind kind)
-{
-    static const char *const nouns[KINDS] = {
-        [KIND_REAL] = "a real", [KIND_OPTIONAL] = "a real that is", [KIND_PAIR] = "two reals [x, y], each",
-        [KIND_VECTOR] = "as many reals as grid.dimension, [x, y] or [x, y, z], each", [KIND_INT] = "an integer",
-        [KIND_SEED] = "an integer",
-    };
-    return nouns[kind] ? nouns[kind] : "";
-}

@@ -47,7 +47,7 @@ void pdmc_study_source_drop(pdmc_study_source *source);
 /// The file and line from which line `line` of the text came, counted from 1.
 const char *pdmc_study_source_place(const pdmc_study_source *source, unsigned line, int *file_line);
 
-// ---- the table (schema.c) ----
+// ---- the table (schema.c, sections.c), and what can be asked of it (setting.c) ----
 
 typedef enum {
     SECTION_TOP,
