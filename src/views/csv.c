@@ -22,6 +22,15 @@ void pdmc_csv_column(FILE *stream, const char *name, const char *unit)
     pdmc_csv_text(stream, column);
 }
 
+void pdmc_csv_axes(FILE *stream, const char *name, const char *what, const char *unit)
+{
+    char column[PDMC_LONG_NAME_SIZE + 16];
+    for (int k = 0; k < 3; k++) {
+        snprintf(column, sizeof column, "%s%s.%c", name, what, "xyz"[k]);
+        pdmc_csv_column(stream, column, unit);
+    }
+}
+
 void pdmc_csv_number(FILE *stream, double x)
 {
     fprintf(stream, ",%.17g", x);

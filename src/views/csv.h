@@ -13,6 +13,9 @@ void pdmc_csv_text(FILE *stream, const char *text);
 /// A column's name and its unit behind a comma: ",name[unit]".
 void pdmc_csv_column(FILE *stream, const char *name, const char *unit);
 
+/// The columns "<name><what>.x[unit]", ... y, z.
+void pdmc_csv_axes(FILE *stream, const char *name, const char *what, const char *unit);
+
 /// Numbers with 17 digits, each behind a comma.
 void pdmc_csv_number(FILE *stream, double x);
 void pdmc_csv_numbers(FILE *stream, int count, const double x[]);

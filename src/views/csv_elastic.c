@@ -2,15 +2,6 @@
 #include "views/csv.h"
 #include "views/elastic.h"
 
-static void put_axes(FILE *stream, const char *what, const char *unit)
-{
-    char column[PDMC_NAME_SIZE];
-    for (int k = 0; k < 3; k++) {
-        snprintf(column, sizeof column, "%s.%c", what, "xyz"[k]);
-        pdmc_csv_column(stream, column, unit);
-    }
-}
-
 pdmc_status pdmc_csv_line(const pdmc_results *results, FILE *stream)
 {
     const pdmc_elastic_record *e = &results->elastic;
@@ -31,8 +22,8 @@ pdmc_status pdmc_csv_solid_nodes(const pdmc_results *results, FILE *stream)
 {
     const pdmc_elastic_record *e = &results->elastic;
     fputs("node", stream);
-    put_axes(stream, "position", results->length_unit);
-    put_axes(stream, "displacement", results->length_unit);
+    pdmc_csv_axes(stream, "position", "", results->length_unit);
+    pdmc_csv_axes(stream, "displacement", "", results->length_unit);
     fputs(",compensation\n", stream);
     for (int i = 0; i < e->node_count; i++) {
         fprintf(stream, "%d", i);
@@ -48,8 +39,8 @@ pdmc_status pdmc_csv_faces(const pdmc_results *results, FILE *stream)
 {
     const pdmc_elastic_record *e = &results->elastic;
     fputs("face", stream);
-    put_axes(stream, "displacement", results->length_unit);
-    put_axes(stream, "force", results->force_unit);
+    pdmc_csv_axes(stream, "displacement", "", results->length_unit);
+    pdmc_csv_axes(stream, "force", "", results->force_unit);
     fputc('\n', stream);
     for (int face = 0; face < PDMC_SOLID_FACES; face++) {
         pdmc_csv_text(stream, pdmc_face_names[face]);

@@ -5,16 +5,6 @@
 
 enum { COLUMN_SIZE = PDMC_LONG_NAME_SIZE + 16 };
 
-/// The columns "<name>.x[unit]", "<name>.y[unit]", "<name>.z[unit]".
-static void put_axes(FILE *stream, const char *name, const char *what, const char *unit)
-{
-    char column[COLUMN_SIZE];
-    for (int k = 0; k < PDMC_AXES; k++) {
-        snprintf(column, sizeof column, "%s%s.%c", name, what, "xyz"[k]);
-        pdmc_csv_column(stream, column, unit);
-    }
-}
-
 static void put_header(const pdmc_results *r, FILE *stream)
 {
     static const char *const energies[] = {"kinetic", "elastic", "fracture", "contact", "dissipated", "work"};
@@ -26,7 +16,7 @@ static void put_header(const pdmc_results *r, FILE *stream)
     else pdmc_csv_column(stream, "time", r->time_unit);
     for (size_t i = 0; i < sizeof energies / sizeof energies[0]; i++) pdmc_csv_column(stream, energies[i], unit);
     pdmc_results_unit(r, PDMC_UNIT_MOMENTUM, sizeof unit, unit);
-    put_axes(stream, "momentum", "", unit);
+    pdmc_csv_axes(stream, "momentum", "", unit);
     fputs(",mean_damage,broken,fragments,loose_nodes", stream);
     pdmc_results_unit(r, PDMC_UNIT_MASS, sizeof unit, unit);
     pdmc_csv_column(stream, "largest_fragment", unit);
@@ -38,12 +28,12 @@ static void put_header(const pdmc_results *r, FILE *stream)
         pdmc_csv_column(stream, column, velocity);
     }
     for (int s = 0; s < p->sphere_count; s++) {
-        put_axes(stream, p->spheres[s].name, ".centre", r->length_unit);
-        put_axes(stream, p->spheres[s].name, ".velocity", velocity);
+        pdmc_csv_axes(stream, p->spheres[s].name, ".centre", r->length_unit);
+        pdmc_csv_axes(stream, p->spheres[s].name, ".velocity", velocity);
     }
     for (int c = 0; c < p->condition_count; c++) {
-        put_axes(stream, p->conditions[c].name, ".force", r->force_unit);
-        put_axes(stream, p->conditions[c].name, ".displacement", r->length_unit);
+        pdmc_csv_axes(stream, p->conditions[c].name, ".force", r->force_unit);
+        pdmc_csv_axes(stream, p->conditions[c].name, ".displacement", r->length_unit);
     }
     if (pdmc_is_at_rest(p)) fputs(",residual,relaxation_steps,breakages", stream);
     fputc('\n', stream);
@@ -90,9 +80,9 @@ pdmc_status pdmc_csv_nodes(const pdmc_results *results, FILE *stream)
     char velocity[PDMC_UNIT_SIZE];
     pdmc_results_unit(results, PDMC_UNIT_VELOCITY, sizeof velocity, velocity);
     fprintf(stream, "body");
-    put_axes(stream, "position", "", results->length_unit);
-    put_axes(stream, "displacement", "", results->length_unit);
-    put_axes(stream, "velocity", "", velocity);
+    pdmc_csv_axes(stream, "position", "", results->length_unit);
+    pdmc_csv_axes(stream, "displacement", "", results->length_unit);
+    pdmc_csv_axes(stream, "velocity", "", velocity);
     fputs(",damage,fragment\n", stream);
     for (size_t i = 0; p->snapshot_count > 0 && i < (size_t)p->node_count; i++) {
         pdmc_csv_text(stream, p->bodies[p->node_body[i]].name);
@@ -112,9 +102,9 @@ pdmc_status pdmc_csv_fragments(const pdmc_results *results, FILE *stream)
     pdmc_results_unit(results, PDMC_UNIT_MASS, sizeof unit, unit);
     fputs("fragment,nodes", stream);
     pdmc_csv_column(stream, "mass", unit);
-    put_axes(stream, "centre", "", results->length_unit);
+    pdmc_csv_axes(stream, "centre", "", results->length_unit);
     pdmc_results_unit(results, PDMC_UNIT_VELOCITY, sizeof unit, unit);
-    put_axes(stream, "velocity", "", unit);
+    pdmc_csv_axes(stream, "velocity", "", unit);
     fputc('\n', stream);
     for (int i = 0; i < p->fragment_count; i++) {
         const pdmc_fragment *f = &p->fragment_list[i];

@@ -250,80 +250,17 @@ static pdmc_status write_motion(const pdmc_results *r, const csv_units *units, F
     return PDMC_OK;
 }
 
-static pdmc_status write_records(const pdmc_results *r, const csv_units *units, FILE *stream)
-{
-    (void)units;
-    return pdmc_csv_records(r, stream);
-}
-
-static pdmc_status write_nodes(const pdmc_results *r, const csv_units *units, FILE *stream)
-{
-    (void)units;
-    return pdmc_csv_nodes(r, stream);
-}
-
-static pdmc_status write_fragments(const pdmc_results *r, const csv_units *units, FILE *stream)
-{
-    (void)units;
-    return pdmc_csv_fragments(r, stream);
-}
-
-static pdmc_status write_draws(const pdmc_results *r, const csv_units *units, FILE *stream)
-{
-    (void)units;
-    return pdmc_csv_draws(r, stream);
-}
-
-static pdmc_status write_paths(const pdmc_results *r, const csv_units *units, FILE *stream)
-{
-    (void)units;
-    return pdmc_csv_paths(r, stream);
-}
-
-static pdmc_status write_levels(const pdmc_results *r, const csv_units *units, FILE *stream)
-{
-    (void)units;
-    return pdmc_csv_levels(r, stream);
-}
-
-static pdmc_status write_values(const pdmc_results *r, const csv_units *units, FILE *stream)
-{
-    (void)units;
-    return pdmc_csv_values(r, stream);
-}
-
-static pdmc_status write_line(const pdmc_results *r, const csv_units *units, FILE *stream)
-{
-    (void)units;
-    return pdmc_csv_line(r, stream);
-}
-
-static pdmc_status write_solid_nodes(const pdmc_results *r, const csv_units *units, FILE *stream)
-{
-    (void)units;
-    return pdmc_csv_solid_nodes(r, stream);
-}
-
-static pdmc_status write_solid_faces(const pdmc_results *r, const csv_units *units, FILE *stream)
-{
-    (void)units;
-    return pdmc_csv_faces(r, stream);
-}
-
-static pdmc_status write_elastic_energies(const pdmc_results *r, const csv_units *units, FILE *stream)
-{
-    (void)units;
-    return pdmc_csv_energies(r, stream);
-}
-
-static pdmc_status write_quadrature(const pdmc_results *r, const csv_units *units, FILE *stream)
-{
-    (void)units;
-    return pdmc_csv_quadrature(r, stream);
-}
+/// A file of one kind of study, written by one of the two.
+typedef struct {
+    const char *name;
+    pdmc_problem_kind kind;
+    csv_writer *write;
+    pdmc_status (*print)(const pdmc_results *r, FILE *stream);
+} csv_file;
 
 /// Writes through a stream of its own, since the descriptor belongs to the file.
-static pdmc_status write_stream(pdmc_whole_file *file, const pdmc_results *r, const csv_units *units, csv_writer *write)
+static pdmc_status write_stream(pdmc_whole_file *file, const pdmc_results *r, const csv_units *units,
+                                const csv_file *of)
 {
     const int descriptor = dup(file->descriptor);
     FILE *stream = descriptor >= 0 ? fdopen(descriptor, "w") : NULL;
@@ -333,21 +270,20 @@ static pdmc_status write_stream(pdmc_whole_file *file, const pdmc_results *r, co
         return pdmc_raise_errno(file->path, error);
     }
     errno = 0;
-    const pdmc_status status = write(r, units, stream);
+    const pdmc_status status = of->write ? of->write(r, units, stream) : of->print(r, stream);
     const bool failed = ferror(stream) != 0;
     if (fclose(stream) != 0 || failed) return pdmc_raise_errno(file->path, errno ? errno : EIO);
     return status;
 }
 
-static pdmc_status export_file(const pdmc_results *r, const csv_units *units, const char *folder, const char *name,
-                               csv_writer *write)
+static pdmc_status export_file(const pdmc_results *r, const csv_units *units, const char *folder, const csv_file *of)
 {
     pdmc_status status = PDMC_OK;
     pdmc_whole_file file = {0};
-    char *path = pdmc_folder_path(folder, name);
+    char *path = pdmc_folder_path(folder, of->name);
     if (!path) return PDMC_ERR_NOMEM;
     PDMC_TRY(pdmc_whole_file_open(path, true, &file));
-    PDMC_TRY(write_stream(&file, r, units, write));
+    PDMC_TRY(write_stream(&file, r, units, of));
     PDMC_TRY(pdmc_whole_file_appear(&file, true));
 
 done:
@@ -362,37 +298,31 @@ static bool energies_are_few(const pdmc_results *r)
     return (double)r->kept_count * r->tip_count * r->angle_count <= 1e6;
 }
 
-typedef struct {
-    const char *name;
-    csv_writer *write;
-    pdmc_problem_kind kind; // of the studies that have it
-} csv_file;
-
 static const csv_file files[] = {
-    {"pdf.csv", write_pdf, PDMC_STATIC},
-    {"quantiles.csv", write_quantiles, PDMC_STATIC},
-    {"direction.csv", write_direction, PDMC_STATIC},
-    {"samples.csv", write_samples, PDMC_STATIC},
-    {"energy_samples.csv", write_energy_samples, PDMC_STATIC},
-    {"faces.csv", write_faces, PDMC_STATIC},
-    {"motion.csv", write_motion, PDMC_DYNAMIC},
-    {"records.csv", write_records, PDMC_EXPLICIT},
-    {"nodes.csv", write_nodes, PDMC_EXPLICIT},
-    {"fragments.csv", write_fragments, PDMC_EXPLICIT},
-    {"samples.csv", write_draws, PDMC_EXPLICIT},
-    {"paths.csv", write_paths, PDMC_EXPLICIT},
-    {"levels.csv", write_levels, PDMC_SCALAR},
-    {"line.csv", write_line, PDMC_ELASTIC},
-    {"nodes.csv", write_solid_nodes, PDMC_ELASTIC},
-    {"faces.csv", write_solid_faces, PDMC_ELASTIC},
-    {"energies.csv", write_elastic_energies, PDMC_ELASTIC},
-    {"values.csv", write_values, PDMC_SCALAR},
-    {"quadrature.csv", write_quadrature, PDMC_QUADRATURE},
+    {"pdf.csv", PDMC_STATIC, .write = write_pdf},
+    {"quantiles.csv", PDMC_STATIC, .write = write_quantiles},
+    {"direction.csv", PDMC_STATIC, .write = write_direction},
+    {"samples.csv", PDMC_STATIC, .write = write_samples},
+    {"energy_samples.csv", PDMC_STATIC, .write = write_energy_samples},
+    {"faces.csv", PDMC_STATIC, .write = write_faces},
+    {"motion.csv", PDMC_DYNAMIC, .write = write_motion},
+    {"records.csv", PDMC_EXPLICIT, .print = pdmc_csv_records},
+    {"nodes.csv", PDMC_EXPLICIT, .print = pdmc_csv_nodes},
+    {"fragments.csv", PDMC_EXPLICIT, .print = pdmc_csv_fragments},
+    {"samples.csv", PDMC_EXPLICIT, .print = pdmc_csv_draws},
+    {"paths.csv", PDMC_EXPLICIT, .print = pdmc_csv_paths},
+    {"levels.csv", PDMC_SCALAR, .print = pdmc_csv_levels},
+    {"line.csv", PDMC_ELASTIC, .print = pdmc_csv_line},
+    {"nodes.csv", PDMC_ELASTIC, .print = pdmc_csv_solid_nodes},
+    {"faces.csv", PDMC_ELASTIC, .print = pdmc_csv_faces},
+    {"energies.csv", PDMC_ELASTIC, .print = pdmc_csv_energies},
+    {"values.csv", PDMC_SCALAR, .print = pdmc_csv_values},
+    {"quadrature.csv", PDMC_QUADRATURE, .print = pdmc_csv_quadrature},
 };
 
 static bool is_wanted(const pdmc_results *r, const csv_file *file)
 {
-    const bool is_of_draws = file->write == write_draws || file->write == write_paths;
+    const bool is_of_draws = file->print == pdmc_csv_draws || file->print == pdmc_csv_paths;
     if (file->write == write_energy_samples && !energies_are_few(r)) return false;
     if (is_of_draws && r->ensemble.sample_count == 0) return false;
     return file->kind == (pdmc_is_of_bodies(r->kind) ? PDMC_EXPLICIT : r->kind);
@@ -410,8 +340,7 @@ pdmc_status pdmc_view_export(const pdmc_results *results, const char *folder)
     PDMC_TRY(pdmc_locale_plain(&locale));
     PDMC_TRY(pdmc_folder_make(folder));
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++)
-        if (is_wanted(results, &files[i]))
-            PDMC_TRY(export_file(results, &units, folder, files[i].name, files[i].write));
+        if (is_wanted(results, &files[i])) PDMC_TRY(export_file(results, &units, folder, &files[i]));
 
 done:
     pdmc_locale_restore(&locale);
