@@ -4,8 +4,7 @@
 /// shown.
 
 #include "run/studies.h"
-
-#include "pdmc/views.h"
+#include "views/captured.h"
 
 #include <jansson.h>
 
@@ -166,32 +165,11 @@ static void a_stopped_run_has_nothing(void **state)
     pdmc_study_clear(&study);
 }
 
-static char *printed(pdmc_status (*view)(const pdmc_results *, FILE *), const pdmc_results *results)
-{
-    char *text = NULL;
-    size_t size = 0;
-    FILE *stream = open_memstream(&text, &size);
-    assert_non_null(stream);
-    CHECK_OK(view(results, stream));
-    fclose(stream);
-    return text;
-}
-
 static void expect_text(char *text, const char *const parts[])
 {
     for (int i = 0; parts[i]; i++)
         if (!strstr(text, parts[i])) fail_msg("\"%s\" is not in\n%s", parts[i], text);
     free(text);
-}
-
-static char *file_text(const char *path)
-{
-    char *text = calloc(1, 65536);
-    FILE *file = fopen(path, "r");
-    assert_non_null(file);
-    assert_true(fread(text, 1, 65535, file) > 0);
-    fclose(file);
-    return text;
 }
 
 // What is written reads back to the bit, and all views show it.
@@ -210,15 +188,16 @@ static void files_and_views(void **state)
     assert_same("stress", a->stress, b->stress, 108 * sizeof(double));
     assert_string_equal(b->rules[5].name, "adaptive");
     CHECK_NEAR(b->rules[0].distance_order, a->rules[0].distance_order, 0.0);
-    expect_text(printed(pdmc_view_table, &back),
+    expect_text(captured(pdmc_view_table, &back),
                 (const char *const[]){"the stress at a node of an infinite body, horizon 3 m in space", "gauss3",
                                       "points, half a horizon", "stress xy, exactly 2 N/m^2", "stress zz, exactly -1",
                                       NULL});
+    size_t size;
     CHECK_OK(pdmc_view_export(&back, "csv"));
-    expect_text(file_text("csv/quadrature.csv"),
+    expect_text(scratch_read("csv/quadrature.csv", &size),
                 (const char *const[]){"rule,horizon_over_spacing,error,points,distance[m],seconds[s],stress_xx[N/m^2]",
                                       "\ncubic,1.5,", "\nadaptive,2,", NULL});
-    char *text = printed(pdmc_view_json, &back);
+    char *text = captured(pdmc_view_json, &back);
     json_t *all = json_loads(text, 0, NULL);
     const json_t *rule = json_array_get(json_object_get(json_object_get(all, "quadrature"), "rules"), 5);
     CHECK_NEAR(json_number_value(json_array_get(json_object_get(rule, "error"), 1)), a->error[11], 0.0);

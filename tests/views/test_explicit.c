@@ -2,31 +2,12 @@
 
 /// Views of an explicit study: the figures that are read off its records, and that all of it is shown.
 
-#include "pdmc/views.h"
-
-#include "check.h"
 #include "results/made_up.h"
-#include "results/scratch.h"
+#include "views/captured.h"
 #include "views/csv.h"
 #include "views/explicit.h"
 
 #include <jansson.h>
-
-static char *printed(pdmc_status (*view)(const pdmc_results *, FILE *), const pdmc_results *results)
-{
-    char *text = NULL;
-    size_t size = 0;
-    FILE *stream = open_memstream(&text, &size);
-    assert_non_null(stream);
-    CHECK_OK(view(results, stream));
-    fclose(stream);
-    return text;
-}
-
-static void expect_line(const char *text, const char *line)
-{
-    if (!strstr(text, line)) fail_msg("\"%s\" is not in\n%s", line, text);
-}
 
 // 3 mm in 1 ms, from the first record with growth at 0.5 to the first with all of it at 1.4.
 static void growth_is_read_off_the_records(void **state)
@@ -63,7 +44,7 @@ static void the_table_has_tips_and_spheres(void **state)
     pdmc_results r = made_up_explicit(2);
     r.status = PDMC_RUN_NOT_FINITE;
     r.particles.stop = pdmc_strdup("step 201");
-    char *text = printed(pdmc_view_table, &r);
+    char *text = captured(pdmc_view_table, &r);
     expect_line(text, "A made-up impact\n");
     expect_line(text, "  STOPPED, these are the steps until then: step 201\n");
     expect_line(text, "  32 nodes and 321 bonds in the plane, spacing 0.5, horizon 1.5 mm\n");
@@ -86,7 +67,7 @@ static void the_json_has_all_records(void **state)
 {
     (void)state;
     pdmc_results r = made_up_explicit(3);
-    char *text = printed(pdmc_view_json, &r);
+    char *text = captured(pdmc_view_json, &r);
     json_t *all = json_loads(text, 0, NULL);
     const json_t *object = json_object_get(all, "explicit");
     assert_string_equal(json_string_value(json_object_get(all, "kind")), "explicit");
@@ -157,23 +138,9 @@ static void the_csv_has_records_and_nodes(void **state)
 static void every_picture_is_drawn(void **state)
 {
     (void)state;
-    static const char *const names[] = {"energies.png",        "energies.svg",       "tips.png",      "tips.svg",
-                                        "damage.png",          "damage.svg",         "fragments.png", "fragments.svg",
-                                        "fragment_masses.png", "fragment_masses.svg"};
-    if (system("gnuplot --version >/dev/null 2>&1") != 0) skip();
     for (int dimension = 2; dimension <= 3; dimension++) {
         pdmc_results r = made_up_explicit(dimension);
-        CHECK_OK(pdmc_view_plot(&r, scratch_path("plots")));
-        for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-            size_t size = 0;
-            char path[64];
-            snprintf(path, sizeof path, "plots/%s", names[i]);
-            char *bytes = scratch_read(scratch_path(path), &size);
-            if (!bytes || size < 1000) fail_msg("%s is missing or empty", path);
-            free(bytes);
-        }
-        assert_int_equal(scratch_empty(scratch_path("plots")), 10);
-        scratch_empty(scratch);
+        check_drawn(&r, 5, (const char *const[]){"energies", "tips", "damage", "fragments", "fragment_masses"});
         pdmc_results_clear(&r);
     }
 }
@@ -184,7 +151,7 @@ static void samples_are_in_every_view(void **state)
     size_t size;
     pdmc_results r = made_up_explicit(2);
     made_up_samples(&r);
-    char *table = printed(pdmc_view_table, &r), *json = printed(pdmc_view_json, &r);
+    char *table = captured(pdmc_view_table, &r), *json = captured(pdmc_view_json, &r);
     expect_line(table, "4 samples of seed 0, 1 failed; in mm, with intervals at 0.95; above is the study at its means\n");
     expect_line(table, "\n  centre.to\n    P(still)        4.5 [4.25, 4.75]\n    P(arrested)     5.5 [5.25, 5.75]\n");
     expect_line(table, "    mean growth     21 [20.75, 21.25]\n    deviation       31 [30.75, 31.25]\n");
@@ -258,7 +225,7 @@ static void loads_are_shown(void **state)
     pdmc_results r = made_up_loads();
     r.status = PDMC_RUN_NO_REST;
     r.particles.stop = pdmc_strdup("load 2.1");
-    char *text = printed(pdmc_view_table, &r);
+    char *text = captured(pdmc_view_table, &r);
     expect_line(text, "  STOPPED, these are the loads until then: load 2.1\n");
     expect_line(text, "  20 loads, residuals up to 0.02; 200 steps of relaxation; bonds broke 10 times\n  forces by portable\n");
     expect_line(text, "\nat 2 of the load\n");
@@ -269,7 +236,7 @@ static void loads_are_shown(void **state)
     for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n")) assert_true(strlen(line) <= 100);
     free(text);
 
-    text = printed(pdmc_view_json, &r);
+    text = captured(pdmc_view_json, &r);
     json_t *all = json_loads(text, 0, NULL);
     const json_t *object = json_object_get(all, "quasi_static"), *records = json_object_get(object, "records");
     assert_string_equal(json_string_value(json_object_get(all, "kind")), "quasi_static");
@@ -288,7 +255,7 @@ static void csv_and_pictures_of_loads(void **state)
 {
     (void)state;
     pdmc_results r = made_up_loads();
-    char *text = printed(pdmc_csv_records, &r);
+    char *text = captured(pdmc_csv_records, &r);
     expect_line(text, "record,load,kinetic[kN mm],");
     expect_line(text, "displacement.z[mm],residual,relaxation_steps,breakages\n");
     expect_line(text, ",0.01953125,10,0\n");
