@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pdmc/galerkin.h"
+#include "pdmc/mesh.h"
 
 #include "base/base_impl.h"
+#include "mesh/mesh_impl.h"
 
 #include <math.h>
 #include <string.h>
@@ -65,21 +66,6 @@ static void fill_rectangle(const axis a[2], pdmc_mesh *mesh)
         for (int i = 0; i < a[0].cells; i++) fill_cell(a, i, j, mesh);
 }
 
-static pdmc_status mesh_allocate(int dimension, double nodes, double elements, pdmc_mesh *mesh)
-{
-    pdmc_status status = PDMC_OK;
-    if (3.0 * elements > INT32_MAX) PDMC_FAIL(PDMC_ERR_ARG, "%.3g elements are too many", elements);
-    mesh->dimension = dimension;
-    mesh->node_count = (int)nodes;
-    mesh->element_count = (int)elements;
-    PDMC_NEW(mesh->x, nodes * dimension);
-    PDMC_NEW(mesh->corner, elements * (dimension + 1));
-    PDMC_NEW(mesh->layer, elements);
-    PDMC_NEW(mesh->rough, elements);
-done:
-    return status;
-}
-
 pdmc_status pdmc_mesh_box(int dimension, const double size[], const int cells[], double layer, pdmc_mesh *mesh)
 {
     pdmc_status status = PDMC_OK;
@@ -93,8 +79,8 @@ pdmc_status pdmc_mesh_box(int dimension, const double size[], const int cells[],
         PDMC_REQUIRE(cells[d] >= 1, "%d cells are not 1 or more", cells[d]);
     }
     for (int d = 0; d < dimension; d++) PDMC_TRY(axis_create(size[d], cells[d], layer, &a[d]));
-    if (dimension == 1) PDMC_TRY(mesh_allocate(1, a[0].cells + 1.0, a[0].cells, &made));
-    else PDMC_TRY(mesh_allocate(2, (a[0].cells + 1.0) * (a[1].cells + 1.0), 2.0 * a[0].cells * a[1].cells, &made));
+    if (dimension == 1) PDMC_TRY(pdmc_mesh_allocate(1, a[0].cells + 1.0, a[0].cells, &made));
+    else PDMC_TRY(pdmc_mesh_allocate(2, (a[0].cells + 1.0) * (a[1].cells + 1.0), 2.0 * a[0].cells * a[1].cells, &made));
     if (dimension == 1) fill_interval(a, &made);
     else fill_rectangle(a, &made);
     *mesh = made;
@@ -103,44 +89,4 @@ done:
     for (int d = 0; d < 2; d++) pdmc_free(a[d].x);
     pdmc_mesh_clear(&made);
     return status;
-}
-
-void pdmc_mesh_mark_rough(pdmc_mesh *mesh, const double from[], const double to[])
-{
-    const int n = mesh->dimension + 1;
-    for (int e = 0; e < mesh->element_count; e++) {
-        bool inside = true;
-        for (int d = 0; d < mesh->dimension; d++) {
-            double middle = 0.0;
-            for (int k = 0; k < n; k++) middle += mesh->x[mesh->dimension * mesh->corner[n * e + k] + d] / n;
-            inside = inside && from[d] <= middle && middle <= to[d];
-        }
-        if (inside) mesh->rough[e] = 1;
-    }
-}
-
-void pdmc_mesh_clear(pdmc_mesh *mesh)
-{
-    pdmc_free(mesh->x);
-    pdmc_free(mesh->corner);
-    pdmc_free(mesh->layer);
-    pdmc_free(mesh->rough);
-    *mesh = (pdmc_mesh){0};
-}
-
-static double edge_length(const pdmc_mesh *mesh, int from, int to)
-{
-    if (mesh->dimension == 1) return fabs(mesh->x[to] - mesh->x[from]);
-    const double *a = &mesh->x[2 * (size_t)from], *b = &mesh->x[2 * (size_t)to];
-    return hypot(b[0] - a[0], b[1] - a[1]);
-}
-
-double pdmc_mesh_spacing(const pdmc_mesh *mesh)
-{
-    const int n = mesh->dimension + 1;
-    double longest = 0.0;
-    for (int e = 0; e < mesh->element_count; e++)
-        for (int k = 0; k < n; k++)
-            longest = fmax(longest, edge_length(mesh, mesh->corner[n * e + k], mesh->corner[n * e + (k + 1) % n]));
-    return longest;
 }
