@@ -20,6 +20,7 @@ typedef struct {
     double horizon, power, scale;
     int bins;
     double weight[PDMC_KERNEL_BINS];
+    double constant[PDMC_KERNEL_BINS + 1][3]; // of the integrals of c r^m over the radius, see src/galerkin/kernel.h
 } pdmc_scalar_kernel;
 
 /// @param[in]  power   0 <= power < 2, so that jumps have a finite energy

@@ -8,7 +8,8 @@
 
 enum { ELEMENTS_AT_A_TIME = 256 };
 
-// Elements are taken block by block: their pairs are integrated in parallel and added to the form in a fixed order.
+// Elements are taken block by block: their pairs are integrated in parallel, and then added to the form by all threads,
+// each of which has columns of its own and goes through the pairs in the same order.
 typedef struct {
     const pdmc_space *space;
     const pdmc_neighbours *neighbours;
@@ -33,23 +34,34 @@ static void integrate_element(const assembler *a, int e, pdmc_pair_block blocks[
     }
 }
 
-static void add_symmetric(const assembler *a, int e, double block[PDMC_CORNERS][PDMC_CORNERS], pdmc_form *form)
+// The columns of one thread: neighbours in the mesh have near columns, which should not be one thread's alone.
+typedef struct {
+    int first, stride;
+    pdmc_form *form;
+} share;
+
+static void add(const share *s, int i, int j, double value)
+{
+    if ((i < j ? i : j) % s->stride == s->first) pdmc_form_add(s->form, i, j, value);
+}
+
+static void add_symmetric(const assembler *a, int e, double block[PDMC_CORNERS][PDMC_CORNERS], const share *s)
 {
     const int n = a->space->mesh->dimension + 1, *value = &a->space->value[n * e];
     for (int i = 0; i < n; i++)
-        for (int j = 0; j <= i; j++) pdmc_form_add(form, value[i], value[j], block[i][j]);
+        for (int j = 0; j <= i; j++) add(s, value[i], value[j], block[i][j]);
 }
 
 // A value that both elements have stands in the product twice.
-static void add_cross(const assembler *a, int e, int other, double block[PDMC_CORNERS][PDMC_CORNERS], pdmc_form *form)
+static void add_cross(const assembler *a, int e, int other, double block[PDMC_CORNERS][PDMC_CORNERS], const share *s)
 {
     const int n = a->space->mesh->dimension + 1;
     const int *near = &a->space->value[n * e], *far = &a->space->value[n * other];
     for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++) pdmc_form_add(form, far[i], near[j], (far[i] == near[j] ? 2.0 : 1.0) * block[i][j]);
+        for (int j = 0; j < n; j++) add(s, far[i], near[j], (far[i] == near[j] ? 2.0 : 1.0) * block[i][j]);
 }
 
-static void add_element(const assembler *a, int e, const pdmc_pair_block blocks[], pdmc_form *form)
+static void add_element(const assembler *a, int e, const pdmc_pair_block blocks[], const share *s)
 {
     const pdmc_neighbours *near = a->neighbours;
     pdmc_pair_block sum = {0};
@@ -60,10 +72,10 @@ static void add_element(const assembler *a, int e, const pdmc_pair_block blocks[
         for (int i = 0; i < PDMC_CORNERS; i++)
             for (int j = 0; j < PDMC_CORNERS; j++) sum.own[i][j] += block.own[i][j];
         if (other == e) continue;
-        add_cross(a, e, other, block.cross, form);
-        add_symmetric(a, other, block.far, form);
+        add_cross(a, e, other, block.cross, s);
+        add_symmetric(a, other, block.far, s);
     }
-    add_symmetric(a, e, sum.own, form);
+    add_symmetric(a, e, sum.own, s);
 }
 
 static int end_of_block(const assembler *a, int begin)
@@ -93,9 +105,13 @@ static void assemble(const assembler *a, int threads, pdmc_form *form)
     const int64_t *start = a->neighbours->start;
     for (int begin = 0; begin < a->space->mesh->element_count; begin = end_of_block(a, begin)) {
         const int end = end_of_block(a, begin);
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads)
-        for (int e = begin; e < end; e++) integrate_element(a, e, &a->blocks[start[e] - start[begin]]);
-        for (int e = begin; e < end; e++) add_element(a, e, &a->blocks[start[e] - start[begin]], form);
+#pragma omp parallel num_threads(threads)
+        {
+            const share own = {omp_get_thread_num(), omp_get_num_threads(), form};
+#pragma omp for schedule(dynamic, 8)
+            for (int e = begin; e < end; e++) integrate_element(a, e, &a->blocks[start[e] - start[begin]]);
+            for (int e = begin; e < end; e++) add_element(a, e, &a->blocks[start[e] - start[begin]], &own);
+        }
     }
 }
 

@@ -44,6 +44,9 @@ pdmc_status pdmc_scalar_kernel_create(int dimension, double horizon, double powe
     PDMC_REQUIRE(sum > 0.0, "all weights of the kernel are zero");
     // int c |xi|^2 over all directions, and 2 for each dimension
     made.scale = dimension / (pdmc_kernel_constant(&made, bins, 2) * (dimension == 1 ? 1.0 : M_PI));
+    for (int bin = 0; bin <= bins; bin++)
+        for (int m = 0; m < 3; m++)
+            if (m + dimension > power) made.constant[bin][m] = pdmc_kernel_constant(&made, bin, m);
     *kernel = made;
     return PDMC_OK;
 }

@@ -7,8 +7,9 @@
 double pdmc_kernel_radius(const pdmc_scalar_kernel *kernel, int bin);
 
 /// int_0^r c(s) s^(m + dimension - 1) ds for r in bin `bin` is
-///     scale weight[bin] r^q / q + constant,  q = m + dimension - power;
-/// `bin` = kernel->bins stands for all r beyond the horizon, where the weight is 0. Returns the constant; q > 0.
+///     scale weight[bin] r^q / q + constant[bin][m],  q = m + dimension - power;
+/// `bin` = kernel->bins stands for all r beyond the horizon, where the weight is 0. Returns the constant, which the
+/// kernel keeps where q > 0.
 double pdmc_kernel_constant(const pdmc_scalar_kernel *kernel, int bin, int m);
 
 /// int_from^to c(r) r^m dr in one dimension, 0 <= from <= to; not finite where m + 1 <= power and from = 0.

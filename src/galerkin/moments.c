@@ -41,9 +41,10 @@ void pdmc_interval_moments(const pdmc_scalar_kernel *kernel, double a, double b,
 
 // ---- triangles ----
 
-// A line at the signed distance h from the centre, whose points are h n + s t: n turned by a right angle is t.
+// An edge at the signed distance h from the centre, whose points are h n + s t for s in [from, to]: n turned by a right
+// angle is t.
 typedef struct {
-    double n[2], t[2], h;
+    double n[2], t[2], h, from, to;
 } line;
 
 // int r^-power ds: with s = h sinh v the integrand is h^(1-power) cosh^(1-power) v, analytic up to a distance of pi /
@@ -66,10 +67,19 @@ static double gauss_along(double power, double h, double from, double to)
     return pow(h, 1.0 - power) * half * sum;
 }
 
+// asinh(to / h) - asinh(from / h) by one logarithm: of (to + r) / (from + r), on the side where nothing cancels.
+static double difference_of_asinh(double h, double from, double to)
+{
+    if (to <= 0.0) return difference_of_asinh(h, -to, -from);
+    const double r[2] = {sqrt(h * h + from * from), sqrt(h * h + to * to)};
+    if (from < 0.0) return log((to + r[1]) * (r[0] - from) / (h * h));
+    return log1p((to - from) * (1.0 + (to + from) / (r[0] + r[1])) / (from + r[0]));
+}
+
 static double integrate_along(double power, double h, double from, double to)
 {
     if (power == 0.0) return to - from;
-    if (power == 1.0) return asinh(to / h) - asinh(from / h);
+    if (power == 1.0) return difference_of_asinh(h, from, to);
     return gauss_along(power, h, from, to);
 }
 
@@ -107,8 +117,7 @@ static void add_constant(const pdmc_scalar_kernel *kernel, int bin, const line *
         for (int d = 0; d < 2; d++) e[k][d] = (l->h * l->n[d] + s * l->t[d]) / r;
     }
     const double angle = atan2(e[0][0] * e[1][1] - e[0][1] * e[1][0], e[0][0] * e[1][0] + e[0][1] * e[1][1]);
-    const double constant[3] = {pdmc_kernel_constant(kernel, bin, 0), pdmc_kernel_constant(kernel, bin, 1),
-                                pdmc_kernel_constant(kernel, bin, 2)};
+    const double *constant = kernel->constant[bin];
     const double product = e[1][0] * e[1][1] - e[0][0] * e[0][1];
     moments->zero += constant[0] * angle;
     moments->first[0] += constant[1] * (e[1][1] - e[0][1]);
@@ -132,23 +141,29 @@ static double half_chord(double radius, double h)
     return sqrt(fmax(0.0, (radius - h) * (radius + h)));
 }
 
-static void add_edge(const pdmc_scalar_kernel *kernel, const double a[2], const double b[2], pdmc_moments *moments)
+static line line_through(const double a[2], const double b[2])
 {
     const double d[2] = {b[0] - a[0], b[1] - a[1]}, length = sqrt(d[0] * d[0] + d[1] * d[1]);
     line l = {.t = {d[0] / length, d[1] / length}};
     l.n[0] = l.t[1];
     l.n[1] = -l.t[0];
     l.h = a[0] * l.n[0] + a[1] * l.n[1];
-    if (l.h == 0.0) return; // the wedge is empty
-    const double from = a[0] * l.t[0] + a[1] * l.t[1], to = from + length;
+    l.from = a[0] * l.t[0] + a[1] * l.t[1];
+    l.to = l.from + length;
+    return l;
+}
+
+static void add_edge(const pdmc_scalar_kernel *kernel, const line *l, pdmc_moments *moments)
+{
+    if (l->h == 0.0) return; // the wedge is empty
     double inner = 0.0;
     for (int bin = 0; bin <= kernel->bins; bin++) {
-        const double outer = bin < kernel->bins ? half_chord(pdmc_kernel_radius(kernel, bin), l.h) : INFINITY;
+        const double outer = bin < kernel->bins ? half_chord(pdmc_kernel_radius(kernel, bin), l->h) : INFINITY;
         if (inner == 0.0) {
-            add_piece(kernel, bin, &l, fmax(from, -outer), fmin(to, outer), moments);
+            add_piece(kernel, bin, l, fmax(l->from, -outer), fmin(l->to, outer), moments);
         } else {
-            add_piece(kernel, bin, &l, fmax(from, -outer), fmin(to, -inner), moments);
-            add_piece(kernel, bin, &l, fmax(from, inner), fmin(to, outer), moments);
+            add_piece(kernel, bin, l, fmax(l->from, -outer), fmin(l->to, -inner), moments);
+            add_piece(kernel, bin, l, fmax(l->from, inner), fmin(l->to, outer), moments);
         }
         inner = outer;
     }
@@ -156,6 +171,11 @@ static void add_edge(const pdmc_scalar_kernel *kernel, const double a[2], const 
 
 void pdmc_triangle_moments(const pdmc_scalar_kernel *kernel, double corner[3][2], pdmc_moments *moments)
 {
+    line edge[3];
     *moments = (pdmc_moments){0};
-    for (int i = 0; i < 3; i++) add_edge(kernel, corner[i], corner[(i + 1) % 3], moments);
+    for (int i = 0; i < 3; i++) {
+        edge[i] = line_through(corner[i], corner[(i + 1) % 3]);
+        if (edge[i].h <= -kernel->horizon) return; // the disc lies on its other side
+    }
+    for (int i = 0; i < 3; i++) add_edge(kernel, &edge[i], moments);
 }

@@ -125,36 +125,33 @@ static pdmc_moments inner_moments(const pdmc_pair_rule *rule, const pdmc_element
 
 // ---- pairs ----
 
-// g.first and g.second.h of gradients g and h.
-static double along(const double g[2], const pdmc_moments *m)
-{
-    return g[0] * m->first[0] + g[1] * m->first[1];
-}
-
-static double between(const double g[2], const double h[2], const pdmc_moments *m)
-{
-    return g[0] * h[0] * m->second[0] + (g[0] * h[1] + g[1] * h[0]) * m->second[1] + g[1] * h[1] * m->second[2];
-}
-
 // Within one element u' - u goes with xi, and the zeroth moment, which need not be finite, is not asked for.
 static void add_same(int n, const pdmc_element *e, const pdmc_moments *m, double weight, pdmc_pair_block *block)
 {
-    for (int a = 0; a < n; a++)
-        for (int b = 0; b < n; b++) block->own[a][b] += weight * between(e->gradient[a], e->gradient[b], m);
+    for (int a = 0; a < n; a++) {
+        const double *g = e->gradient[a];
+        const double p[2] = {weight * (m->second[0] * g[0] + m->second[1] * g[1]),
+                             weight * (m->second[1] * g[0] + m->second[2] * g[1])};
+        for (int b = 0; b < n; b++) block->own[a][b] += p[0] * e->gradient[b][0] + p[1] * e->gradient[b][1];
+    }
 }
 
-// u' = value'(x) + gradient'.xi, continued to the point x of the first element.
+// The other's values v' = v'(x) + gradient'.xi, continued to the point x of the first element: int c v' and int c v' xi.
 static void add_different(int n, const double near[], const double far[], const pdmc_element *other,
                           const pdmc_moments *m, double weight, pdmc_pair_block *block)
 {
-    for (int a = 0; a < n; a++)
+    for (int a = 0; a < n; a++) {
+        const double *g = other->gradient[a], own = weight * near[a] * m->zero;
+        const double zero = weight * (far[a] * m->zero + g[0] * m->first[0] + g[1] * m->first[1]);
+        const double first[2] = {weight * (far[a] * m->first[0] + g[0] * m->second[0] + g[1] * m->second[1]),
+                                 weight * (far[a] * m->first[1] + g[0] * m->second[1] + g[1] * m->second[2])};
         for (int b = 0; b < n; b++) {
-            const double *g = other->gradient[a], *h = other->gradient[b];
-            block->own[a][b] += weight * near[a] * near[b] * m->zero;
-            block->cross[a][b] -= weight * near[b] * (far[a] * m->zero + along(g, m));
-            block->far[a][b] +=
-                weight * (far[a] * far[b] * m->zero + far[a] * along(h, m) + far[b] * along(g, m) + between(g, h, m));
+            const double *h = other->gradient[b];
+            block->own[a][b] += own * near[b];
+            block->cross[a][b] -= zero * near[b];
+            block->far[a][b] += far[b] * zero + h[0] * first[0] + h[1] * first[1];
         }
+    }
 }
 
 static bool is_beyond(const pdmc_pair_rule *rule, const pdmc_element *other, const double x[2])
