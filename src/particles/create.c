@@ -3,6 +3,7 @@
 #include "particles/lattice.h"
 #include "particles/particles_impl.h"
 #include "particles/scattered.h"
+#include "particles/stable.h"
 
 #include <math.h>
 #include <string.h>
@@ -142,31 +143,10 @@ static pdmc_status find_isolated(const pdmc_nodes *g)
     return PDMC_OK;
 }
 
-/// By how much fibres can raise the sum of c V_p / |xi| over a node's bonds: on a grid, where no axis is before another, beta^2 is
-/// 1 / dimension in the mean.
-static double fibres_stiffen(const pdmc_particles *p, const pdmc_bond_law *law)
-{
-    const bool evenly = !p->nodes.partner && !p->variation.stiffness;
-    return fmax(1.0, 1.0 + law->fibre_excess / (evenly ? p->nodes.dimension : 1));
-}
-
-/// The least of all nodes: sqrt(2 rho / sum_p V_p c / |xi|) without the damping of bonds.
-static double stable_step(const pdmc_particles *p, double bond_damping)
-{
-    const double weight = p->nodes.heaviest;
-    double least = INFINITY;
-    for (int m = 0; m < p->material_count; m++) {
-        const double stiffness = pdmc_variation_stiffest(&p->variation, &p->nodes, m) * fibres_stiffen(p, &p->laws[m]);
-        const double by_density = 2.0 * p->laws[m].micromodulus / p->density[m];
-        least = fmin(least,
-                     pdmc_damping_stable_step(2.0 / sqrt(by_density * stiffness), by_density * bond_damping * weight));
-    }
-    return least;
-}
-
 static pdmc_status choose_step(const pdmc_particles_options *o, pdmc_particles *p)
 {
-    p->stable_step = stable_step(p, o->bond_damping);
+    p->stable_step =
+        pdmc_bonds_stable_step(&p->nodes, &p->variation, p->material_count, p->laws, p->density, o->bond_damping);
     p->step = o->step > 0.0 ? o->step : o->safety * p->stable_step;
     PDMC_REQUIRE(p->step > 0.0 && p->step <= p->stable_step, "step: %g, is stable up to %g", p->step, p->stable_step);
     return PDMC_OK;

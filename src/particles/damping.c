@@ -28,7 +28,7 @@ void pdmc_damping_clear(pdmc_damping *damping)
     *damping = (pdmc_damping){0};
 }
 
-/// Adds c c_v e (e . dv) of the whole bonds to a neighbour of the list to the sums of a block's nodes, at c c_v = 1.
+/// Adds c c_v e (e . dv) of the whole bonds to a neighbour of the list to the sums of a block's nodes, at c_v = 1.
 static void resist_neighbour(const pdmc_motion_of_nodes *m, const pdmc_block *block, int listed,
                              double sum[PDMC_AXES][PDMC_LANES])
 {
@@ -36,25 +36,25 @@ static void resist_neighbour(const pdmc_motion_of_nodes *m, const pdmc_block *bl
     for (unsigned left = g->bonds[block->bonds + (size_t)listed]; left; left &= left - 1) {
         const int k = __builtin_ctz(left);
         const size_t c = block->cell + (size_t)k, other = pdmc_nodes_neighbour(g, block, listed, k);
-        const double weight = pdmc_nodes_weight(g, c, other);
+        const double stiffness = pdmc_nodes_weight(g, c, other) *
+                                 pdmc_variation_micromodulus(m->variation, g, &m->laws[block->material], c, other);
         double apart[PDMC_AXES], square = 0.0, parting = 0.0;
         for (int a = 0; a < PDMC_AXES; a++) {
             apart[a] = m->position[a][other] - m->position[a][c];
             square += apart[a] * apart[a];
             parting += apart[a] * (m->velocity[a][other] - m->velocity[a][c]);
         }
-        for (int a = 0; a < PDMC_AXES; a++) sum[a][k] += weight * parting / square * apart[a];
+        for (int a = 0; a < PDMC_AXES; a++) sum[a][k] += stiffness * parting / square * apart[a];
     }
 }
 
 static void resist_bonds(const pdmc_damping *damping, const pdmc_motion_of_nodes *m, const pdmc_block *block)
 {
-    const double scale = damping->relative * m->laws[block->material].micromodulus;
     double sum[PDMC_AXES][PDMC_LANES] = {{0.0}};
     for (int k = 0; k < block->listed; k++) resist_neighbour(m, block, k, sum);
     for (unsigned left = block->nodes; left; left &= left - 1) {
         const int k = __builtin_ctz(left);
-        for (int a = 0; a < PDMC_AXES; a++) damping->force[a][block->cell + (size_t)k] = scale * sum[a][k];
+        for (int a = 0; a < PDMC_AXES; a++) damping->force[a][block->cell + (size_t)k] = damping->relative * sum[a][k];
     }
 }
 

@@ -4,7 +4,7 @@
 /// Linear viscous damping (Yu, Kansas State University 2011, eq. 3.63-3.65): of the nodes' own velocities, and of those by
 /// which the ends of whole bonds part.
 
-#include "particles/forces.h"
+#include "particles/variation.h"
 
 typedef struct {
     double absolute, relative; // C, c_v
@@ -17,6 +17,7 @@ typedef struct {
 typedef struct {
     const pdmc_nodes *nodes;
     const pdmc_bond_law *laws;         // [materials]
+    const pdmc_variation *variation;
     const double *density;             // [materials]
     const double *position[PDMC_AXES]; // [cells]
     const double *velocity[PDMC_AXES]; // [cells]

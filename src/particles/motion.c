@@ -65,17 +65,6 @@ void pdmc_particles_find_bond_forces(pdmc_particles *p, bool unbreakable)
     p->next_strength = strength;
 }
 
-/// All forces at the time but those of conditions.
-static pdmc_status find_forces(pdmc_particles *p)
-{
-    pdmc_particles_find_bond_forces(p, false);
-    pdmc_status status = pdmc_contact_update(&p->contact, &p->nodes, p->position, p->threads);
-    if (status != PDMC_OK) return status;
-    pdmc_contact_add(&p->contact, &p->nodes, p->position, p->threads, p->force);
-    meet_spheres(p);
-    return PDMC_OK;
-}
-
 /// y += factor x for a block's nodes. Empty cells hold zeros in x, so that they need no care where no other body is.
 static void add_to(const pdmc_block *block, double factor, const double x[], double y[])
 {
@@ -175,7 +164,11 @@ static pdmc_status report_lost(pdmc_particles *p)
 
 static pdmc_motion_of_nodes motion_of(const pdmc_particles *p)
 {
-    pdmc_motion_of_nodes motion = {.nodes = &p->nodes, .laws = p->laws, .density = p->density, .threads = p->threads};
+    pdmc_motion_of_nodes motion = {.nodes = &p->nodes,
+                                   .laws = p->laws,
+                                   .variation = &p->variation,
+                                   .density = p->density,
+                                   .threads = p->threads};
     for (int a = 0; a < PDMC_AXES; a++) {
         motion.position[a] = p->position[a];
         motion.velocity[a] = p->velocity[a];
@@ -212,19 +205,37 @@ static void count_work(pdmc_particles *p, pdmc_step_work part)
     p->work_after += part.after;
 }
 
-/// Adds the forces of conditions and of damping, the latter by what all others make of the velocities; then what holds
-/// the nodes whose motion is prescribed.
-static void act(pdmc_particles *p)
+static pdmc_layer_motion motion_of_layers(const pdmc_particles *p)
 {
-    const pdmc_nodes *g = &p->nodes;
     pdmc_layer_motion motion = {.time = pdmc_particles_time(p), .step = p->step, .damping = &p->damping};
     for (int a = 0; a < PDMC_AXES; a++) {
         motion.position[a] = p->position[a];
         motion.velocity[a] = p->velocity[a];
         motion.force[a] = p->force[a];
     }
+    return motion;
+}
+
+/// All forces at the time but those of damping and of what holds nodes.
+static pdmc_status find_forces(pdmc_particles *p)
+{
+    const pdmc_layer_motion motion = motion_of_layers(p);
+    pdmc_particles_find_bond_forces(p, false);
+    pdmc_status status = pdmc_contact_update(&p->contact, &p->nodes, p->position, p->threads);
+    if (status != PDMC_OK) return status;
+    pdmc_contact_add(&p->contact, &p->nodes, p->position, p->threads, p->force);
+    meet_spheres(p);
     for (int k = 0; k < p->layer_count; k++)
-        if (!pdmc_layer_holds(&p->layers[k])) pdmc_layer_push(&p->layers[k], g, &motion);
+        if (!pdmc_layer_holds(&p->layers[k])) pdmc_layer_push(&p->layers[k], &p->nodes, &motion);
+    return PDMC_OK;
+}
+
+/// Adds the forces of damping, by what all others make of the velocities; then what holds the nodes whose motion is
+/// prescribed.
+static void act(pdmc_particles *p)
+{
+    const pdmc_nodes *g = &p->nodes;
+    const pdmc_layer_motion motion = motion_of_layers(p);
     damp(p, 0.5 * p->step);
     for (int k = 0; k < p->layer_count; k++)
         if (pdmc_layer_holds(&p->layers[k])) count_work(p, pdmc_layer_hold(&p->layers[k], g, &motion));

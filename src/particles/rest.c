@@ -79,7 +79,7 @@ static bool go_on(void *context, const pdmc_relaxation_state *state)
 }
 
 /// Adds k |e_a| sum_b |e_b| of a bond's stiffness k, twice: in the node's own place of the row and in its neighbour's.
-static void add_row(const pdmc_particles *p, size_t c, size_t other, double row[PDMC_AXES])
+static void add_row(const pdmc_particles *p, const pdmc_bond_law *law, size_t c, size_t other, double row[PDMC_AXES])
 {
     const pdmc_nodes *g = &p->nodes;
     double *const *x = p->linear ? p->nodes.reference : p->position;
@@ -89,9 +89,8 @@ static void add_row(const pdmc_particles *p, size_t c, size_t other, double row[
         square += e[a] * e[a];
         sum += e[a];
     }
-    const double *factor = p->variation.stiffness;
-    const double stiffness = (factor ? 0.5 * (factor[c] + factor[other]) : 1.0) * pdmc_nodes_weight(g, c, other) *
-                             g->volume[c] / pdmc_nodes_length(g, c, other);
+    const double stiffness = pdmc_variation_micromodulus(&p->variation, g, law, c, other) *
+                             pdmc_nodes_weight(g, c, other) * g->volume[c] / pdmc_nodes_length(g, c, other);
     for (int a = 0; a < PDMC_AXES; a++) row[a] += 2.0 * stiffness * e[a] * sum / square;
 }
 
@@ -103,10 +102,8 @@ static double mass_of(const pdmc_particles *p, const pdmc_block *block, int lane
     double row[PDMC_AXES] = {0.0};
     for (int k = 0; k < block->listed; k++)
         if (p->nodes.bonds[block->bonds + (size_t)k] >> lane & 1)
-            add_row(p, c, pdmc_nodes_neighbour(&p->nodes, block, k, lane), row);
-    const double largest = fmax(row[0], fmax(row[1], row[2]));
-    const pdmc_bond_law *law = &p->laws[block->material];
-    return 0.25 * mass_margin * law->micromodulus * fmax(1.0, 1.0 + law->fibre_excess) * largest;
+            add_row(p, &p->laws[block->material], c, pdmc_nodes_neighbour(&p->nodes, block, k, lane), row);
+    return 0.25 * mass_margin * fmax(row[0], fmax(row[1], row[2]));
 }
 
 /// Fictitious masses; infinite where positions are prescribed, and where a node has no bonds left.

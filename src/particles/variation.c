@@ -127,26 +127,21 @@ void pdmc_variation_clear(pdmc_variation *v)
     *v = (pdmc_variation){0};
 }
 
-/// V_p a / |xi| of the bonds to a neighbour of the list, added to the sums of a block's nodes.
-static void add_neighbour(const pdmc_variation *v, const pdmc_nodes *g, const pdmc_block *block, int listed,
-                          double sum[])
+/// 1 + beta^2 times the excess along fibres, beta the cosine of bond and fibre (Silling & Askari 2005, eq. 10).
+static double along_fibres(const pdmc_nodes *g, const pdmc_bond_law *law, size_t cell, size_t other)
 {
-    for (unsigned left = g->bonds[block->bonds + (size_t)listed]; left; left &= left - 1) {
-        const int k = __builtin_ctz(left);
-        const size_t i = block->cell + (size_t)k, j = pdmc_nodes_neighbour(g, block, listed, k);
-        sum[k] += 0.5 * (v->stiffness[i] + v->stiffness[j]) * pdmc_nodes_weight(g, i, j) / pdmc_nodes_length(g, i, j);
+    double beta = 0.0, square = 0.0;
+    for (int a = 0; a < PDMC_AXES && law->fibre_excess != 0.0; a++) {
+        const double step = g->reference[a][other] - g->reference[a][cell];
+        beta += step * law->fibre[a];
+        square += step * step;
     }
+    return square > 0.0 ? 1.0 + law->fibre_excess * beta * beta / square : 1.0;
 }
 
-double pdmc_variation_stiffest(const pdmc_variation *v, const pdmc_nodes *g, int material)
+double pdmc_variation_micromodulus(const pdmc_variation *v, const pdmc_nodes *g, const pdmc_bond_law *law, size_t cell,
+                                   size_t other)
 {
-    double most = 0.0;
-    if (!v->stiffness) return g->stiffest;
-    for (int b = 0; b < g->block_count; b++) {
-        double sum[PDMC_LANES] = {0.0};
-        if (g->blocks[b].material != material) continue;
-        for (int n = 0; n < g->blocks[b].listed; n++) add_neighbour(v, g, &g->blocks[b], n, sum);
-        for (int k = 0; k < PDMC_LANES; k++) most = fmax(most, sum[k]);
-    }
-    return most;
+    const double factor = v->stiffness ? 0.5 * (v->stiffness[cell] + v->stiffness[other]) : 1.0;
+    return law->micromodulus * factor * along_fibres(g, law, cell, other);
 }

@@ -19,6 +19,6 @@ PDMC_NODISCARD pdmc_status pdmc_variation_create(const pdmc_particles_options *o
                                                  pdmc_bond_law laws[], pdmc_variation *variation);
 void pdmc_variation_clear(pdmc_variation *variation);
 
-/// The sum of V_p a / |xi| over the bonds of a body's stiffest node, a the mean of both nodes' factors; without factors that
-/// of a whole family.
-double pdmc_variation_stiffest(const pdmc_variation *variation, const pdmc_nodes *nodes, int material);
+/// c of the bond between two cells: that of the law, by the mean of the nodes' factors, and larger along fibres.
+double pdmc_variation_micromodulus(const pdmc_variation *variation, const pdmc_nodes *nodes, const pdmc_bond_law *law,
+                                   size_t cell, size_t other);
