@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "galerkin/edge.h"
 #include "galerkin/kernel.h"
 
 #include <gsl/gsl_math.h>
@@ -40,12 +41,6 @@ void pdmc_interval_moments(const pdmc_scalar_kernel *kernel, double a, double b,
 }
 
 // ---- triangles ----
-
-// An edge at the signed distance h from the centre, whose points are h n + s t for s in [from, to]: n turned by a right
-// angle is t.
-typedef struct {
-    double n[2], t[2], h, from, to;
-} line;
 
 // int r^-power ds: with s = h sinh v the integrand is h^(1-power) cosh^(1-power) v, analytic up to a distance of pi /
 // 2, so that panels of length 1 with 10 points are exact to rounding.
@@ -90,7 +85,7 @@ static double power_of(double squared, double exponent)
 
 // The part of the wedge below the line where the radius is in one bin: int h x^m r^-power ds, over q. What int s^2
 // r^-power ds is follows from the derivative of s r^(2 - power).
-static void add_power(const pdmc_scalar_kernel *kernel, int bin, const line *l, double from, double to,
+static void add_power(const pdmc_scalar_kernel *kernel, int bin, const pdmc_edge *l, double from, double to,
                       pdmc_moments *moments)
 {
     const double p = kernel->power, h = l->h, factor = kernel->scale * kernel->weight[bin] * h;
@@ -108,15 +103,13 @@ static void add_power(const pdmc_scalar_kernel *kernel, int bin, const line *l, 
 }
 
 // ... and the rest of the radial integral, which does not depend on the radius: int e^m dtheta times it.
-static void add_constant(const pdmc_scalar_kernel *kernel, int bin, const line *l, double from, double to,
+static void add_constant(const pdmc_scalar_kernel *kernel, int bin, const pdmc_edge *l, double from, double to,
                          pdmc_moments *moments)
 {
     double e[2][2];
-    for (int k = 0; k < 2; k++) {
-        const double s = k == 0 ? from : to, r = sqrt(l->h * l->h + s * s);
-        for (int d = 0; d < 2; d++) e[k][d] = (l->h * l->n[d] + s * l->t[d]) / r;
-    }
-    const double angle = atan2(e[0][0] * e[1][1] - e[0][1] * e[1][0], e[0][0] * e[1][0] + e[0][1] * e[1][1]);
+    pdmc_edge_direction(l, from, e[0]);
+    pdmc_edge_direction(l, to, e[1]);
+    const double angle = pdmc_turn(e[0], e[1]);
     const double *constant = kernel->constant[bin];
     const double product = e[1][0] * e[1][1] - e[0][0] * e[0][1];
     moments->zero += constant[0] * angle;
@@ -127,7 +120,7 @@ static void add_constant(const pdmc_scalar_kernel *kernel, int bin, const line *
     moments->second[2] += 0.5 * constant[2] * (angle - product);
 }
 
-static void add_piece(const pdmc_scalar_kernel *kernel, int bin, const line *l, double from, double to,
+static void add_piece(const pdmc_scalar_kernel *kernel, int bin, const pdmc_edge *l, double from, double to,
                       pdmc_moments *moments)
 {
     if (from >= to) return;
@@ -135,30 +128,12 @@ static void add_piece(const pdmc_scalar_kernel *kernel, int bin, const line *l, 
     if (bin > 0) add_constant(kernel, bin, l, from, to, moments);
 }
 
-// Half of the chord that a circle cuts from the line.
-static double half_chord(double radius, double h)
-{
-    return sqrt(fmax(0.0, (radius - h) * (radius + h)));
-}
-
-static line line_through(const double a[2], const double b[2])
-{
-    const double d[2] = {b[0] - a[0], b[1] - a[1]}, length = sqrt(d[0] * d[0] + d[1] * d[1]);
-    line l = {.t = {d[0] / length, d[1] / length}};
-    l.n[0] = l.t[1];
-    l.n[1] = -l.t[0];
-    l.h = a[0] * l.n[0] + a[1] * l.n[1];
-    l.from = a[0] * l.t[0] + a[1] * l.t[1];
-    l.to = l.from + length;
-    return l;
-}
-
-static void add_edge(const pdmc_scalar_kernel *kernel, const line *l, pdmc_moments *moments)
+static void add_edge(const pdmc_scalar_kernel *kernel, const pdmc_edge *l, pdmc_moments *moments)
 {
     if (l->h == 0.0) return; // the wedge is empty
     double inner = 0.0;
     for (int bin = 0; bin <= kernel->bins; bin++) {
-        const double outer = bin < kernel->bins ? half_chord(pdmc_kernel_radius(kernel, bin), l->h) : INFINITY;
+        const double outer = bin < kernel->bins ? pdmc_half_chord(pdmc_kernel_radius(kernel, bin), l->h) : INFINITY;
         if (inner == 0.0) {
             add_piece(kernel, bin, l, fmax(l->from, -outer), fmin(l->to, outer), moments);
         } else {
@@ -171,10 +146,10 @@ static void add_edge(const pdmc_scalar_kernel *kernel, const line *l, pdmc_momen
 
 void pdmc_triangle_moments(const pdmc_scalar_kernel *kernel, double corner[3][2], pdmc_moments *moments)
 {
-    line edge[3];
+    pdmc_edge edge[3];
     *moments = (pdmc_moments){0};
     for (int i = 0; i < 3; i++) {
-        edge[i] = line_through(corner[i], corner[(i + 1) % 3]);
+        edge[i] = pdmc_edge_of(corner[i], corner[(i + 1) % 3]);
         if (edge[i].h <= -kernel->horizon) return; // the disc lies on its other side
     }
     for (int i = 0; i < 3; i++) add_edge(kernel, &edge[i], moments);

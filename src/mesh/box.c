@@ -45,25 +45,12 @@ static void fill_interval(const axis *a, pdmc_mesh *mesh)
     }
 }
 
-// The two triangles of a cell; the diagonal changes from cell to cell.
-static void fill_cell(const axis a[2], int i, int j, pdmc_mesh *mesh)
+static void mark_layer(const axis a[2], pdmc_mesh *mesh)
 {
-    const int across = a[0].cells + 1, sw = j * across + i, se = sw + 1, nw = sw + across, ne = nw + 1;
-    const int rising[2][3] = {{sw, se, ne}, {sw, ne, nw}}, falling[2][3] = {{sw, se, nw}, {se, ne, nw}};
-    const int first = 2 * (j * a[0].cells + i);
-    memcpy(&mesh->corner[3 * (size_t)first], (i + j) % 2 ? falling : rising, sizeof rising);
-    for (int k = 0; k < 2; k++) mesh->layer[first + k] = is_outside(&a[0], i) || is_outside(&a[1], j);
-}
-
-static void fill_rectangle(const axis a[2], pdmc_mesh *mesh)
-{
-    const int across = a[0].cells + 1;
-    for (int n = 0; n < mesh->node_count; n++) {
-        mesh->x[2 * (size_t)n] = a[0].x[n % across];
-        mesh->x[2 * (size_t)n + 1] = a[1].x[n / across];
-    }
     for (int j = 0; j < a[1].cells; j++)
-        for (int i = 0; i < a[0].cells; i++) fill_cell(a, i, j, mesh);
+        for (int i = 0; i < a[0].cells; i++)
+            for (int k = 0; k < 2; k++)
+                mesh->layer[2 * (j * a[0].cells + i) + k] = is_outside(&a[0], i) || is_outside(&a[1], j);
 }
 
 pdmc_status pdmc_mesh_box(int dimension, const double size[], const int cells[], double layer, pdmc_mesh *mesh)
@@ -80,9 +67,9 @@ pdmc_status pdmc_mesh_box(int dimension, const double size[], const int cells[],
     }
     for (int d = 0; d < dimension; d++) PDMC_TRY(axis_create(size[d], cells[d], layer, &a[d]));
     if (dimension == 1) PDMC_TRY(pdmc_mesh_allocate(1, a[0].cells + 1.0, a[0].cells, &made));
-    else PDMC_TRY(pdmc_mesh_allocate(2, (a[0].cells + 1.0) * (a[1].cells + 1.0), 2.0 * a[0].cells * a[1].cells, &made));
+    else PDMC_TRY(pdmc_mesh_rectangle(a[0].cells, a[0].x, a[1].cells, a[1].x, &made));
     if (dimension == 1) fill_interval(a, &made);
-    else fill_rectangle(a, &made);
+    else mark_layer(a, &made);
     *mesh = made;
     made = (pdmc_mesh){0};
 done:
