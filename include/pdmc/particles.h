@@ -46,15 +46,28 @@ typedef struct {
     double x[PDMC_AXES], volume; // z = 0 in two dimensions; length^3 in both
 } pdmc_node;
 
-/// Nodes of one material that start with one velocity. Bonds connect nodes of one body; different bodies only touch.
+/// Nodes of one material that start with one velocity. Bonds connect nodes of one body, of a body with its parts, of these
+/// with one another, and of bodies with an interface between them; other bodies only touch.
 typedef struct {
     char name[PDMC_NAME_SIZE];
-    pdmc_shape shape; // of which no node is in another body
+    pdmc_shape shape; // of which no node is in another body, unless it is a part of that
     int node_count;
     const pdmc_node *nodes; // [node_count] of PDMC_SHAPE_NODES
     int material;
-    double velocity[PDMC_AXES];
+    double velocity[PDMC_AXES]; // of a part that of its host
+    bool is_part; // it has those of the host's nodes that its shape holds; of two parts the later one has them
+    int host;     // an earlier body that is no part itself
 } pdmc_body;
+
+/// What bonds are between nodes of two bodies, or of two materials wherever their bodies have bonds; bodies that are named have
+/// bonds by that. An interface of bodies goes before one of materials, an earlier one before a later.
+typedef struct {
+    char name[PDMC_NAME_SIZE];
+    bool of_bodies; // or of materials, which may be the same
+    int first, second;
+    double micromodulus;     // 0: the harmonic mean of both materials', that of two halves of a bond in series
+    double critical_stretch; // without strengthening; 0: that of the weaker node
+} pdmc_interface;
 
 typedef enum { PDMC_CRACK_SEGMENT, PDMC_CRACK_DISC, PDMC_CRACK_RECTANGLE } pdmc_planar_crack_kind;
 
@@ -111,6 +124,8 @@ typedef struct {
     const pdmc_planar_crack *cracks;
     const pdmc_layer_condition *conditions;
     const pdmc_rigid_sphere *spheres;
+    int interface_count;
+    const pdmc_interface *interfaces;
     int factor_count;                // of nodes, in their order, where there are factors:
     const double *stiffness_factors; // [factor_count] of c, > 0; that of a bond is the mean of its nodes'; NULL: all 1
     const double *strength_factors;  // [factor_count] of s_00, > 0; a bond has the s_0 of the weaker node; NULL: all 1
@@ -160,8 +175,9 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_brittle_strengths(const pdmc_distributi
 
 /// Places the nodes, cuts the cracks, and starts at time 0.
 /// @param[out] particles  to be destroyed by the caller; NULL on failure
-/// @return PDMC_OK; PDMC_ERR_ARG with the reason where there is no node, bodies overlap, a step is not stable, or a crack
-///         crosses no bond or isolates a node; PDMC_ERR_NOMEM
+/// @return PDMC_OK; PDMC_ERR_ARG with the reason where there is no node, bodies overlap, a step is not stable, a crack
+///         crosses no bond or isolates a node, or an interface joins nothing; a message about an element of a list begins
+///         with it, as in "cracks[2]: "; PDMC_ERR_NOMEM
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_particles_create(const pdmc_particles_options *options,
                                                           pdmc_particles **particles);
 PDMC_API void pdmc_particles_destroy(pdmc_particles *particles);

@@ -102,10 +102,11 @@ static void start_nodes(const pdmc_particles_options *o, pdmc_particles *p)
 {
     for (int b = 0; b < p->nodes.block_count; b++) {
         const pdmc_block *block = &p->nodes.blocks[b];
+        const pdmc_body *body = &o->bodies[pdmc_whole_body(o, block->body)];
         const double *first = p->variation.first_strength;
         for (unsigned left = block->nodes; left; left &= left - 1) {
             const size_t c = block->cell + (size_t)__builtin_ctz(left);
-            for (int a = 0; a < o->dimension; a++) p->velocity[a][c] = o->bodies[block->body].velocity[a];
+            for (int a = 0; a < o->dimension; a++) p->velocity[a][c] = body->velocity[a];
             p->strength[c] = p->next_strength[c] = first ? first[c] : p->laws[block->material].critical_stretch;
         }
     }
@@ -128,21 +129,6 @@ static void start_spheres(const pdmc_particles_options *o, pdmc_particles *p)
     if (o->sphere_count > 0) memcpy(p->spheres, o->spheres, (size_t)o->sphere_count * sizeof *p->spheres);
 }
 
-static pdmc_status find_isolated(const pdmc_nodes *g)
-{
-    for (int b = 0; b < g->block_count; b++) {
-        int whole[PDMC_LANES];
-        pdmc_nodes_whole(g, &g->blocks[b], whole);
-        for (int k = 0; k < PDMC_LANES; k++) {
-            const size_t c = g->blocks[b].cell + (size_t)k;
-            if ((g->blocks[b].nodes >> k & 1) && g->family[c] > 0 && whole[k] == 0)
-                return pdmc_raise(PDMC_ERR_ARG, "cracks: they cut all bonds of the node at (%g, %g, %g)",
-                                  g->reference[0][c], g->reference[1][c], g->reference[2][c]);
-        }
-    }
-    return PDMC_OK;
-}
-
 static pdmc_status choose_step(const pdmc_particles_options *o, pdmc_particles *p)
 {
     p->stable_step =
@@ -159,24 +145,45 @@ static bool has_scattered(const pdmc_particles_options *o)
     return false;
 }
 
+static bool has_node(const pdmc_nodes *g, int body)
+{
+    for (int b = 0; b < g->block_count; b++)
+        if (g->blocks[b].body == body) return true;
+    return false;
+}
+
+static pdmc_status check_nodes(const pdmc_particles_options *o, const pdmc_nodes *g)
+{
+    for (int b = 0; b < o->body_count; b++) {
+        const pdmc_body *body = &o->bodies[b];
+        PDMC_REQUIRE(has_node(g, b) || !body->is_part, "bodies[%d]: holds no node of bodies[%d]", b, body->host);
+        PDMC_REQUIRE(has_node(g, b), "bodies[%d]: holds no node", b);
+    }
+    return PDMC_OK;
+}
+
 static pdmc_status create(const pdmc_particles_options *o, pdmc_particles *p)
 {
     pdmc_status status = PDMC_OK;
     p->threads = o->threads;
     p->linear = o->linear_stretch;
     PDMC_TRY(copy_materials(o, p));
-    PDMC_TRY(has_scattered(o) ? pdmc_scattered_create(o, &p->nodes) : pdmc_lattice_create(o, &p->nodes));
+    PDMC_TRY(pdmc_joints_create(o, p->laws, &p->variation.joints));
+    PDMC_TRY(has_scattered(o) ? pdmc_scattered_create(o, &p->variation.joints, &p->nodes)
+                              : pdmc_lattice_create(o, &p->variation.joints, &p->nodes));
+    PDMC_TRY(check_nodes(o, &p->nodes));
+    PDMC_TRY(pdmc_joints_check_used(&p->variation.joints, &p->nodes, o->interface_count));
     PDMC_TRY(pdmc_variation_create(o, &p->nodes, p->laws, &p->variation));
     PDMC_TRY(choose_step(o, p));
     PDMC_TRY(make_room(o, p));
     PDMC_TRY(pdmc_nodes_cut(&p->nodes, o->crack_count, o->cracks));
-    PDMC_TRY(find_isolated(&p->nodes));
     PDMC_TRY(pdmc_damping_create(o, &p->nodes, &p->damping));
     p->repulsion = repulsion_of(o);
     PDMC_TRY(pdmc_contact_create(o, &p->nodes, p->repulsion, &p->contact));
     for (int c = 0; c < o->condition_count; c++) {
         p->layer_count++;
         PDMC_TRY(pdmc_layer_create(&o->conditions[c], &p->nodes, p->density, &p->layers[c]));
+        if (p->layers[c].count == 0) PDMC_FAIL(PDMC_ERR_ARG, "conditions[%d]: holds no node", c);
     }
     p->kernel = pdmc_forces_choose(&p->kernel_name);
     hold_nodes(p);

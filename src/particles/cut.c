@@ -85,12 +85,31 @@ static bool cut_bonds(pdmc_nodes *g, const pdmc_block *block, const pdmc_planar_
     return any;
 }
 
+/// A node that had bonds, and has none.
+static pdmc_status find_isolated(const pdmc_nodes *g, int crack)
+{
+    for (int b = 0; b < g->block_count; b++) {
+        int whole[PDMC_LANES];
+        pdmc_nodes_whole(g, &g->blocks[b], whole);
+        for (unsigned left = g->blocks[b].nodes; left; left &= left - 1) {
+            const int k = __builtin_ctz(left);
+            const size_t c = g->blocks[b].cell + (size_t)k;
+            PDMC_REQUIRE(g->family[c] == 0 || whole[k] > 0,
+                         "cracks[%d]: cuts all bonds of the node at (%g, %g, %g) that are left", crack,
+                         g->reference[0][c], g->reference[1][c], g->reference[2][c]);
+        }
+    }
+    return PDMC_OK;
+}
+
 pdmc_status pdmc_nodes_cut(pdmc_nodes *g, int count, const pdmc_planar_crack cracks[])
 {
     for (int c = 0; c < count; c++) {
         bool any = false;
         for (int b = 0; b < g->block_count; b++) any |= cut_bonds(g, &g->blocks[b], &cracks[c]);
-        PDMC_REQUIRE(any, "cracks[%d] crosses no bond, or none that those before it have left", c);
+        PDMC_REQUIRE(any, "cracks[%d]: crosses no bond, or none that those before it have left", c);
+        const pdmc_status status = find_isolated(g, c);
+        if (status != PDMC_OK) return status;
     }
     return PDMC_OK;
 }

@@ -7,19 +7,13 @@
 /// both directions of a bond are computed from the same numbers and agree to the bit.
 
 #include "particles/hash.h"
+#include "particles/joints.h"
 #include "particles/nodes.h"
-
-/// A material as the kernels want it.
-typedef struct {
-    double micromodulus, critical_stretch, strengthening;
-    double fibre[PDMC_AXES]; // unit vector
-    double fibre_excess;     // c along it over c, less 1; 0: all directions are alike
-    const double *strengths; // [PDMC_STRENGTH_CLASSES] factors of s_0, by the hash of a bond; NULL: all 1
-} pdmc_bond_law;
 
 typedef struct {
     const pdmc_nodes *nodes;
     const pdmc_bond_law *laws;         // [materials]
+    const pdmc_joints *joints;         // of bodies
     double repulsion;                  // force / length^7: of two nodes, by distance and by both nodes' volumes
     bool energies;                     // whether elastic and contact are wanted, instead of the forces
     bool unbreakable;                  // whether no bond breaks now
@@ -30,6 +24,7 @@ typedef struct {
     double step;                       // of time
     const double *stiffness;           // [cells] factors of c, whose mean of two nodes is that of their bond; NULL: 1
     const double *first_strength;      // [cells] s_0 without strengthening; NULL: that of the laws
+    const double *relative_strength;   // [cells] factors of the s_0 of interfaces; NULL: 1
     const double *strength;            // [cells] s_0, of which the less of two nodes is that of their bond
     double *next_strength;             // [cells] of the next step, written where there is strengthening
     pdmc_hash_key key;                 // of the strengths of single bonds

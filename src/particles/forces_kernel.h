@@ -19,6 +19,7 @@ typedef struct {
     bool linear;    // the stretch is that along the reference direction
     bool by_node;   // s_0 differs from node to node
     bool varied;    // c or s_0 differ from bond to bond
+    bool joined;    // some bonds are to other bodies
 } bond_kind;
 
 typedef struct {
@@ -27,8 +28,10 @@ typedef struct {
     const pdmc_bond_law *law;
     bond_kind kind;
     lanes position[PDMC_AXES], reference[PDMC_AXES];
-    lanes strength; // s_0
-    lanes enough;   // a bond breaks whose reserve is below
+    lanes strength;      // s_0
+    lanes enough;        // a bond breaks whose reserve is below
+    double micromodulus; // c over what stiffness_of() says
+    size_t joints;       // row of the body
 } place;
 
 /// Of a block's nodes, at micromodulus 1 and a unit of volume.
@@ -62,11 +65,13 @@ INLINE bool is_uniform(bond_kind kind)
 static bond_kind kind_of(const pdmc_forces *f, int b)
 {
     const pdmc_bond_law *law = &f->laws[f->nodes->blocks[b].material];
-    const bool varied = f->linear || f->stiffness || law->strengths || law->fibre_excess != 0.0;
+    const bool joined = f->nodes->blocks[b].joined;
+    const bool varied = joined || f->linear || f->stiffness || law->strengths || law->fibre_excess != 0.0;
     return (bond_kind){.scattered = f->nodes->partner,
                        .linear = f->linear,
                        .by_node = f->nodes->partner || varied || f->by_node || law->strengthening != 0.0,
-                       .varied = varied};
+                       .varied = varied,
+                       .joined = joined};
 }
 
 INLINE place place_of(const pdmc_forces *f, int b, bond_kind kind)
@@ -78,6 +83,8 @@ INLINE place place_of(const pdmc_forces *f, int b, bond_kind kind)
         if (kind.scattered) at.reference[a] = load(&f->nodes->reference[a][at.block->cell]);
     }
     at.strength = kind.by_node ? load(&f->strength[at.block->cell]) : lanes_of(at.law->critical_stretch);
+    at.micromodulus = kind.joined ? 1.0 : at.law->micromodulus;
+    if (kind.joined) at.joints = pdmc_joints_row(f->joints, at.block->body) + 1;
     at.enough = lanes_of(kind.linear ? 0.0 : is_uniform(kind) ? 1.0 / (1.0 + at.law->critical_stretch) : 1.0);
     return at;
 }
@@ -172,16 +179,29 @@ INLINE lanes alignment_of(const place *at, const pairs *p)
     return multiply(p->length, lanes_of(slope[0] * fibre[0] + slope[1] * fibre[1] + slope[2] * fibre[2]));
 }
 
-/// c of the bonds over that of their law.
+/// From a table of pairs of bodies, what the block's has with those of its neighbours.
+INLINE lanes of_joints(const place *at, const pairs *p, const double table[])
+{
+    const int16_t *body = &at->forces->nodes->body[p->cell];
+    const double *row = &table[at->joints];
+    double out[PDMC_LANES];
+    if (at->kind.scattered) return lanes_of(row[*body]);
+    for (int k = 0; k < PDMC_LANES; k++) out[k] = row[body[k]];
+    return load(out);
+}
+
+/// c of the bonds over that of the place.
 INLINE lanes stiffness_of(const place *at, const pairs *p)
 {
     const double *factor = at->forces->stiffness;
-    lanes stiffness = lanes_of(1.0);
+    lanes stiffness = lanes_of(1.0), excess = lanes_of(at->law->fibre_excess);
     if (factor)
         stiffness = multiply(lanes_of(0.5), add(load(&factor[at->block->cell]), of_neighbours(at, factor, p->cell)));
+    if (at->kind.joined) stiffness = multiply(stiffness, of_joints(at, p, at->forces->joints->micromodulus));
     if (at->law->fibre_excess == 0.0) return stiffness;
-    const lanes beta = alignment_of(at, p), excess = multiply(lanes_of(at->law->fibre_excess), multiply(beta, beta));
-    return multiply_add(stiffness, excess, stiffness);
+    if (at->kind.joined) excess = of_joints(at, p, at->forces->joints->fibre_excess);
+    const lanes beta = alignment_of(at, p);
+    return multiply_add(stiffness, multiply(excess, multiply(beta, beta)), stiffness);
 }
 
 /// The factors of single bonds.
@@ -190,11 +210,21 @@ INLINE lanes drawn_strength(const place *at, const pairs *p)
     return draw(at->law->strengths, &at->forces->key, (uint32_t)at->block->cell, (uint32_t)p->cell, at->kind.scattered);
 }
 
+/// s_0 of the bonds, by what it would be by the strengths of their nodes.
+INLINE lanes joint_strength(const place *at, const pairs *p, lanes of_nodes)
+{
+    const double *relative = at->forces->relative_strength;
+    lanes own = of_joints(at, p, at->forces->joints->strength);
+    if (relative) own = multiply(own, least(load(&relative[at->block->cell]), of_neighbours(at, relative, p->cell)));
+    return least(own, add(of_nodes, of_joints(at, p, at->forces->joints->by_nodes)));
+}
+
 /// s_0 of the bonds.
 INLINE lanes strength_of(const place *at, const pairs *p)
 {
     lanes s_0 = at->strength;
     if (at->kind.by_node) s_0 = least(s_0, of_neighbours(at, at->forces->strength, p->cell));
+    if (at->kind.joined) s_0 = joint_strength(at, p, s_0);
     if (at->kind.varied && at->law->strengths) s_0 = multiply(s_0, drawn_strength(at, p));
     return s_0;
 }
@@ -272,7 +302,7 @@ static __attribute__((noinline)) double break_bonds(const pdmc_forces *f, int b)
         energy += energy_of(&at, &p, broken, s, add(s, growth_of(&at, &p)));
         *bonds &= (uint8_t)~broken;
     }
-    return energy * at.law->micromodulus;
+    return energy * at.micromodulus;
 }
 
 /// The repulsion between nodes at p < d: repulsion V_p (d - p). Written to `force`, on a unit of volume.
@@ -315,7 +345,7 @@ INLINE void find_forces(const pdmc_forces *f, int b, bond_kind kind)
 {
     const place at = place_of(f, b, kind);
     const uint8_t *bonds = &f->nodes->bonds[at.block->bonds];
-    const lanes zero = lanes_of(0.0), least = lanes_of(-INFINITY), micromodulus = lanes_of(at.law->micromodulus);
+    const lanes zero = lanes_of(0.0), least = lanes_of(-INFINITY), micromodulus = lanes_of(at.micromodulus);
     sums s = {.force = {zero, zero, zero}, .shortest = least, .closest = zero, .weakest = lanes_of(INFINITY)};
     for (int k = 0; k < at.block->listed; k++) add_neighbour(&at, k, bonds[k], &s);
     for (int a = 0; a < PDMC_AXES; a++)
@@ -334,7 +364,7 @@ static void find_energies(const pdmc_forces *f, int b)
         const lanes s = stretch_of(&at, &p);
         elastic += energy_of(&at, &p, f->nodes->bonds[at.block->bonds + (size_t)k], s, s);
     }
-    f->elastic[b] = at.law->micromodulus * elastic;
+    f->elastic[b] = at.micromodulus * elastic;
     f->contact[b] = repel(f, b, true);
 }
 
@@ -348,7 +378,7 @@ INLINE void find(const pdmc_forces *f, int b)
 {
     const bond_kind kind = kind_of(f, b);
     if (f->energies) find_energies(f, b);
-    else if (kind.linear || (kind.varied && kind.scattered)) find_seldom_forces(f, b);
+    else if (kind.linear || kind.joined || (kind.varied && kind.scattered)) find_seldom_forces(f, b);
     else if (kind.scattered) find_forces(f, b, (bond_kind){.scattered = true, .by_node = true});
     else if (kind.varied) find_forces(f, b, (bond_kind){.by_node = true, .varied = true});
     else if (kind.by_node) find_forces(f, b, (bond_kind){.by_node = true});

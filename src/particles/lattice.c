@@ -35,6 +35,7 @@ static pdmc_status find_box(const pdmc_particles_options *options, pdmc_nodes *g
         double first = INFINITY, last = -INFINITY;
         for (int b = 0; b < options->body_count; b++) {
             double low[PDMC_AXES], high[PDMC_AXES];
+            if (options->bodies[b].is_part) continue;
             bounds(&options->bodies[b].shape, low, high);
             first = fmin(first, ceil((low[a] - g->offset[a]) / g->spacing - slack));
             last = fmax(last, floor((high[a] - g->offset[a]) / g->spacing + slack));
@@ -115,11 +116,13 @@ static pdmc_status body_at(const pdmc_particles_options *options, const double x
 {
     *body = -1;
     for (int b = 0; b < options->body_count; b++) {
+        if (options->bodies[b].is_part) continue;
         if (!pdmc_shape_holds(&options->bodies[b].shape, x, slack * options->spacing)) continue;
-        PDMC_REQUIRE(*body < 0, "bodies[%d] and bodies[%d] overlap: both have the node at (%g, %g, %g)", *body, b, x[0],
+        PDMC_REQUIRE(*body < 0, "bodies[%d]: overlaps bodies[%d], both have the node at (%g, %g, %g)", b, *body, x[0],
                      x[1], x[2]);
         *body = (int16_t)b;
     }
+    if (*body >= 0) *body = pdmc_part_at(options, *body, x);
     return PDMC_OK;
 }
 
@@ -191,10 +194,19 @@ static void find_blocks(const pdmc_particles_options *options, pdmc_nodes *g)
             for (int x = 0; x < g->count[0]; x += PDMC_LANES) add_blocks(options, g, index_of(g, (int[]){x, y, z}));
 }
 
-/// The whole bonds of a block to one of the neighbours.
-static uint8_t bonded(const pdmc_block *block, const int16_t body[], ptrdiff_t shift)
+static uint8_t lanes_of_joined(const pdmc_joints *joints, const int16_t body[], int wanted)
 {
-    return block->nodes & lanes_of_body(&body[(ptrdiff_t)block->cell + shift], block->body);
+    unsigned bits = 0;
+    for (int k = 0; k < PDMC_LANES; k++) bits |= (unsigned)pdmc_joints_bond(joints, wanted, body[k]) << k;
+    return (uint8_t)bits;
+}
+
+/// The whole bonds of a block to one of the neighbours.
+static uint8_t bonded(const pdmc_joints *joints, const pdmc_block *block, const int16_t body[], ptrdiff_t shift)
+{
+    const int16_t *other = &body[(ptrdiff_t)block->cell + shift];
+    return block->nodes &
+           (joints->bonded ? lanes_of_joined(joints, other, block->body) : lanes_of_body(other, block->body));
 }
 
 /// Whether a block's nodes have anybody at a neighbour's place, their own body or another.
@@ -242,20 +254,24 @@ done:
     return status;
 }
 
-static void join(pdmc_nodes *g)
+static void join(const pdmc_joints *joints, pdmc_nodes *g)
 {
     for (int b = 0; b < g->block_count; b++) {
-        const pdmc_block *block = &g->blocks[b];
+        pdmc_block *block = &g->blocks[b];
         int whole[PDMC_LANES];
-        for (int n = 0; n < block->listed; n++)
-            g->bonds[block->bonds + (size_t)n] = bonded(block, g->body, g->neighbours[g->lists[block->list + n]].shift);
+        for (int n = 0; n < block->listed; n++) {
+            const ptrdiff_t shift = g->neighbours[g->lists[block->list + n]].shift;
+            const uint8_t bonds = bonded(joints, block, g->body, shift);
+            g->bonds[block->bonds + (size_t)n] = bonds;
+            block->joined |= (bonds & ~bonded(&(pdmc_joints){0}, block, g->body, shift)) != 0;
+        }
         pdmc_nodes_whole(g, block, whole);
         for (int k = 0; k < PDMC_LANES; k++)
             if (block->nodes >> k & 1) g->family[block->cell + (size_t)k] = (uint16_t)whole[k];
     }
 }
 
-pdmc_status pdmc_lattice_create(const pdmc_particles_options *options, pdmc_nodes *g)
+pdmc_status pdmc_lattice_create(const pdmc_particles_options *options, const pdmc_joints *joints, pdmc_nodes *g)
 {
     pdmc_status status = PDMC_OK;
     *g = pdmc_nodes_none(options);
@@ -280,7 +296,7 @@ pdmc_status pdmc_lattice_create(const pdmc_particles_options *options, pdmc_node
     PDMC_TRY(find_lists(g));
     PDMC_NEW(g->bonds, g->bond_bytes);
     PDMC_NEW(g->family, g->cells);
-    join(g);
+    join(joints, g);
 
 done:
     return status;

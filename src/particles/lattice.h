@@ -10,4 +10,5 @@
 
 /// @param[out] nodes  whose bonds are all whole; clear with pdmc_nodes_clear(), whatever is returned
 /// @return PDMC_OK; PDMC_ERR_ARG where there is no node, bodies overlap, or the grid is too large; PDMC_ERR_NOMEM
-PDMC_NODISCARD pdmc_status pdmc_lattice_create(const pdmc_particles_options *options, pdmc_nodes *nodes);
+PDMC_NODISCARD pdmc_status pdmc_lattice_create(const pdmc_particles_options *options, const pdmc_joints *joints,
+                                               pdmc_nodes *nodes);

@@ -44,7 +44,6 @@ pdmc_status pdmc_layer_create(const pdmc_layer_condition *condition, const pdmc_
     }
     layer->condition.history = (pdmc_history){condition->history.count, layer->time, layer->factor};
     find_nodes(g, density, layer);
-    if (layer->count == 0) PDMC_FAIL(PDMC_ERR_ARG, "a layer with a condition holds no node");
     PDMC_NEW(layer->cell, layer->count);
     PDMC_NEW(layer->density, layer->count);
     find_nodes(g, density, layer);

@@ -31,7 +31,7 @@ typedef struct {
 
 /// @param[in]  density  [materials] rho
 /// @param[out] layer    clear with pdmc_layer_clear(), whatever is returned
-/// @return PDMC_OK; PDMC_ERR_ARG where the layer holds no node; PDMC_ERR_NOMEM
+/// @return PDMC_OK or PDMC_ERR_NOMEM
 PDMC_NODISCARD pdmc_status pdmc_layer_create(const pdmc_layer_condition *condition, const pdmc_nodes *nodes,
                                              const double density[], pdmc_layer *layer);
 void pdmc_layer_clear(pdmc_layer *layer);

@@ -21,12 +21,14 @@ static pdmc_forces forces_of(const pdmc_particles *p)
 {
     pdmc_forces forces = {.nodes = &p->nodes,
                           .laws = p->laws,
+                          .joints = &p->variation.joints,
                           .repulsion = p->repulsion,
                           .step = p->step,
                           .linear = p->linear,
                           .by_node = p->variation.first_strength,
                           .stiffness = p->variation.stiffness,
                           .first_strength = p->variation.first_strength,
+                          .relative_strength = p->variation.relative_strength,
                           .strength = p->strength,
                           .next_strength = p->next_strength,
                           .key = p->variation.key,
@@ -164,11 +166,8 @@ static pdmc_status report_lost(pdmc_particles *p)
 
 static pdmc_motion_of_nodes motion_of(const pdmc_particles *p)
 {
-    pdmc_motion_of_nodes motion = {.nodes = &p->nodes,
-                                   .laws = p->laws,
-                                   .variation = &p->variation,
-                                   .density = p->density,
-                                   .threads = p->threads};
+    pdmc_motion_of_nodes motion = {
+        .nodes = &p->nodes, .laws = p->laws, .variation = &p->variation, .density = p->density, .threads = p->threads};
     for (int a = 0; a < PDMC_AXES; a++) {
         motion.position[a] = p->position[a];
         motion.velocity[a] = p->velocity[a];

@@ -5,7 +5,7 @@
 ///
 /// The arrays are of cells, most of which have a node. Nodes are worked on in blocks: eight cells in a row.
 
-#include "pdmc/particles.h"
+#include "particles/joints.h"
 
 enum { PDMC_LANES = 8 };
 
@@ -32,6 +32,7 @@ typedef struct {
     int body, material;
     uint8_t nodes;    // bit k: cell + k holds a node of the body
     uint8_t occupied; // ... of any body
+    bool joined;      // whether any of its bonds is to another body
 } pdmc_block;
 
 typedef struct {
@@ -77,8 +78,11 @@ bool pdmc_nodes_are_near(const pdmc_nodes *nodes, size_t i, size_t j);
 bool pdmc_shape_holds(const pdmc_shape *shape, const double x[PDMC_AXES], double slack);
 
 /// Breaks the bonds that cross cracks.
-/// @return PDMC_OK, or PDMC_ERR_ARG where a crack crosses no bond that those before it have left
+/// @return PDMC_OK, or PDMC_ERR_ARG where a crack crosses no bond that those before it have left, or takes a node's last one
 PDMC_NODISCARD pdmc_status pdmc_nodes_cut(pdmc_nodes *nodes, int count, const pdmc_planar_crack cracks[]);
+
+/// @return PDMC_OK; PDMC_ERR_ARG where an interface of the options is that of no bond; PDMC_ERR_NOMEM
+PDMC_NODISCARD pdmc_status pdmc_joints_check_used(const pdmc_joints *joints, const pdmc_nodes *nodes, int interfaces);
 
 /// The cell to which the node in a block's cell + lane has the k-th bond of the block's list.
 static inline size_t pdmc_nodes_neighbour(const pdmc_nodes *g, const pdmc_block *block, int k, int lane)

@@ -54,12 +54,12 @@ static pdmc_status make_grid(const pdmc_particles_options *options, int body[], 
     shaped.body_count = 0;
     PDMC_NEW(bodies, options->body_count);
     for (int b = 0; b < options->body_count; b++) {
-        if (options->bodies[b].shape.kind == PDMC_SHAPE_NODES) continue;
+        if (options->bodies[b].shape.kind == PDMC_SHAPE_NODES || options->bodies[b].is_part) continue;
         body[shaped.body_count] = b;
         bodies[shaped.body_count++] = options->bodies[b];
     }
     shaped.bodies = bodies;
-    if (shaped.body_count > 0) PDMC_TRY(pdmc_lattice_create(&shaped, grid));
+    if (shaped.body_count > 0) PDMC_TRY(pdmc_lattice_create(&shaped, &(pdmc_joints){0}, grid));
 done:
     pdmc_free(bodies);
     return status;
@@ -78,13 +78,14 @@ static pdmc_status check_node(const pdmc_particles_options *options, int body, i
     return PDMC_OK;
 }
 
-static void add_grid(const pdmc_nodes *grid, const int body[], cloud *c)
+static void add_grid(const pdmc_particles_options *options, const pdmc_nodes *grid, const int body[], cloud *c)
 {
     for (int k = 0; k < grid->node_count; k++, c->count++) {
         const size_t cell = grid->cell[k];
-        for (int a = 0; a < PDMC_AXES; a++) c->x[a][c->count] = grid->reference[a][cell];
+        const double x[PDMC_AXES] = {grid->reference[0][cell], grid->reference[1][cell], grid->reference[2][cell]};
+        for (int a = 0; a < PDMC_AXES; a++) c->x[a][c->count] = x[a];
         c->volume[c->count] = grid->volume[cell];
-        c->body[c->count] = (int16_t)body[grid->body[cell]];
+        c->body[c->count] = pdmc_part_at(options, body[grid->body[cell]], x);
     }
 }
 
@@ -97,7 +98,7 @@ static pdmc_status add_bodies(const pdmc_particles_options *options, cloud *c)
             if (status != PDMC_OK) return status;
             for (int a = 0; a < PDMC_AXES; a++) c->x[a][c->count] = node->x[a];
             c->volume[c->count] = node->volume;
-            c->body[c->count] = (int16_t)b;
+            c->body[c->count] = pdmc_part_at(options, b, node->x);
         }
     }
     return PDMC_OK;
@@ -114,7 +115,7 @@ static pdmc_status collect(const pdmc_particles_options *options, cloud *c)
     for (int b = 0; b < options->body_count; b++) count += (size_t)own_nodes(options, b);
     if (count == 0) PDMC_FAIL(PDMC_ERR_ARG, "no node: the bodies have none");
     PDMC_TRY(make_cloud(count, c));
-    add_grid(&grid, body, c);
+    add_grid(options, &grid, body, c);
     PDMC_TRY(add_bodies(options, c));
 done:
     pdmc_nodes_clear(&grid);
@@ -313,25 +314,27 @@ done:
 /// The body of a cell's node and where that is, for messages.
 static const char *node_text(const pdmc_nodes *g, size_t cell, char text[128])
 {
-    snprintf(text, 128, "bodies[%d] at (%g, %g, %g)", g->body[cell], g->reference[0][cell], g->reference[1][cell],
-             g->reference[2][cell]);
+    snprintf(text, 128, "bodies[%d]: the node at (%g, %g, %g)", g->body[cell], g->reference[0][cell],
+             g->reference[1][cell], g->reference[2][cell]);
     return text;
 }
 
 /// Makes the bonds of a block, and adds up what its nodes have.
-static pdmc_status join_block(pdmc_nodes *g, const pdmc_block *block, double stiffness[], double weight[])
+static pdmc_status join_block(const pdmc_joints *joints, pdmc_nodes *g, pdmc_block *block, double stiffness[],
+                              double weight[])
 {
-    char here[128], there[128];
+    char here[128];
     for (int n = 0; n < block->listed; n++) {
         const size_t entry = block->bonds + (size_t)n, other = (size_t)g->partner[entry];
-        const bool bonded = g->body[other] == block->body;
+        const bool bonded = pdmc_joints_bond(joints, block->body, g->body[other]);
         if (bonded) g->bonds[entry] = g->near[entry];
+        block->joined |= bonded && g->body[other] != block->body;
         for (unsigned left = g->near[entry]; left; left &= left - 1) {
             const int k = __builtin_ctz(left);
             const size_t cell = block->cell + (size_t)k;
             const double length = pdmc_nodes_length(g, cell, other);
-            PDMC_REQUIRE(length > same_place * g->spacing, "a node of %s and one of %s are in the same place",
-                         node_text(g, cell, here), node_text(g, other, there));
+            PDMC_REQUIRE(length > same_place * g->spacing, "%s is in the same place as one of bodies[%d]",
+                         node_text(g, cell, here), g->body[other]);
             if (!bonded) continue;
             stiffness[k] += pdmc_nodes_weight(g, cell, other) / length;
             weight[k] += pdmc_nodes_weight(g, cell, other);
@@ -348,21 +351,20 @@ static pdmc_status count_family(pdmc_nodes *g, const pdmc_block *block)
     for (unsigned left = block->nodes; left; left &= left - 1) {
         const int k = __builtin_ctz(left);
         const size_t cell = block->cell + (size_t)k;
-        PDMC_REQUIRE(whole[k] > 0, "a node of %s has no other of its body within %g", node_text(g, cell, here),
-                     g->reach);
-        PDMC_REQUIRE(whole[k] <= UINT16_MAX, "a node of %s has %d others within %g, more than %d",
-                     node_text(g, cell, here), whole[k], g->reach, UINT16_MAX);
+        PDMC_REQUIRE(whole[k] > 0, "%s has no other to be bonded with within %g", node_text(g, cell, here), g->reach);
+        PDMC_REQUIRE(whole[k] <= UINT16_MAX, "%s has %d others within %g, more than %d", node_text(g, cell, here),
+                     whole[k], g->reach, UINT16_MAX);
         g->family[cell] = (uint16_t)whole[k];
     }
     return PDMC_OK;
 }
 
-static pdmc_status join(pdmc_nodes *g)
+static pdmc_status join(const pdmc_joints *joints, pdmc_nodes *g)
 {
     pdmc_status status = PDMC_OK;
     for (int b = 0; b < g->block_count; b++) {
         double stiffness[PDMC_LANES] = {0.0}, weight[PDMC_LANES] = {0.0};
-        PDMC_TRY(join_block(g, &g->blocks[b], stiffness, weight));
+        PDMC_TRY(join_block(joints, g, &g->blocks[b], stiffness, weight));
         PDMC_TRY(count_family(g, &g->blocks[b]));
         for (int k = 0; k < PDMC_LANES; k++) {
             g->stiffest = fmax(g->stiffest, stiffness[k]);
@@ -373,7 +375,7 @@ done:
     return status;
 }
 
-pdmc_status pdmc_scattered_create(const pdmc_particles_options *options, pdmc_nodes *g)
+pdmc_status pdmc_scattered_create(const pdmc_particles_options *options, const pdmc_joints *joints, pdmc_nodes *g)
 {
     pdmc_status status = PDMC_OK;
     cloud c = {0};
@@ -385,7 +387,7 @@ pdmc_status pdmc_scattered_create(const pdmc_particles_options *options, pdmc_no
     PDMC_NEW(order, c.count);
     PDMC_TRY(lay_out(options, &c, order, g));
     PDMC_TRY(find_neighbours(options, &c, order, g));
-    PDMC_TRY(join(g));
+    PDMC_TRY(join(joints, g));
 done:
     clear_cloud(&c);
     pdmc_free(order);

@@ -13,4 +13,5 @@
 /// @param[out] nodes  whose bonds are all whole; clear with pdmc_nodes_clear(), whatever is returned
 /// @return PDMC_OK; PDMC_ERR_ARG where a node has no sound place or volume, has no neighbour in its body, or is where another
 ///         is; or where pdmc_lattice_create() refuses a body with a shape; PDMC_ERR_NOMEM
-PDMC_NODISCARD pdmc_status pdmc_scattered_create(const pdmc_particles_options *options, pdmc_nodes *nodes);
+PDMC_NODISCARD pdmc_status pdmc_scattered_create(const pdmc_particles_options *options, const pdmc_joints *joints,
+                                                 pdmc_nodes *nodes);

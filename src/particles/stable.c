@@ -58,7 +58,7 @@ double pdmc_bonds_stable_step(const pdmc_nodes *g, const pdmc_variation *v, int 
         if (are_alike(g, v, &laws[m]))
             least = fmin(least, step_of(whole_family(g, &laws[m]), density[m], bond_damping));
     for (int b = 0; b < g->block_count; b++)
-        if (!are_alike(g, v, &laws[g->blocks[b].material]))
+        if (g->blocks[b].joined || !are_alike(g, v, &laws[g->blocks[b].material]))
             least = fmin(least, step_of_block(g, v, laws, density, bond_damping, &g->blocks[b]));
     return least;
 }

@@ -40,6 +40,16 @@ done:
     return status;
 }
 
+static pdmc_status copy_cells(const pdmc_nodes *g, const double from[], double **to)
+{
+    pdmc_status status = PDMC_OK;
+    if (!from) return PDMC_OK;
+    PDMC_NEW(*to, g->cells + PDMC_LANES);
+    memcpy(*to, from, (g->cells + PDMC_LANES) * sizeof **to);
+done:
+    return status;
+}
+
 static bool is_in_zone(const pdmc_shape *zone, const pdmc_nodes *g, size_t cell)
 {
     const double slack = 1e-9 * g->spacing;
@@ -64,7 +74,7 @@ static pdmc_status spare_zones(const pdmc_particles_options *o, const pdmc_nodes
             (*first_strength)[g->cell[k]] = INFINITY;
             any = true;
         }
-        if (!any) PDMC_FAIL(PDMC_ERR_ARG, "no_fail[%d] holds no node", z);
+        if (!any) PDMC_FAIL(PDMC_ERR_ARG, "no_fail[%d]: holds no node", z);
     }
 done:
     return status;
@@ -112,6 +122,7 @@ pdmc_status pdmc_variation_create(const pdmc_particles_options *o, const pdmc_no
     PDMC_TRY(spread(g, o->stiffness_factors, &v->stiffness));
     PDMC_TRY(spread(g, o->strength_factors, &v->first_strength));
     PDMC_TRY(spare_zones(o, g, &v->first_strength));
+    if (v->joints.bonded) PDMC_TRY(copy_cells(g, v->first_strength, &v->relative_strength));
     multiply_by_laws(g, laws, v->first_strength);
     PDMC_TRY(copy_strengths(o, laws, v));
     v->key = draw_key(o);
@@ -123,25 +134,33 @@ void pdmc_variation_clear(pdmc_variation *v)
 {
     pdmc_free(v->stiffness);
     pdmc_free(v->first_strength);
+    pdmc_free(v->relative_strength);
+    pdmc_joints_clear(&v->joints);
     pdmc_free(v->strengths);
     *v = (pdmc_variation){0};
 }
 
 /// 1 + beta^2 times the excess along fibres, beta the cosine of bond and fibre (Silling & Askari 2005, eq. 10).
-static double along_fibres(const pdmc_nodes *g, const pdmc_bond_law *law, size_t cell, size_t other)
+static double along_fibres(const pdmc_nodes *g, const double fibre[], double excess, size_t cell, size_t other)
 {
     double beta = 0.0, square = 0.0;
-    for (int a = 0; a < PDMC_AXES && law->fibre_excess != 0.0; a++) {
+    for (int a = 0; a < PDMC_AXES && excess != 0.0; a++) {
         const double step = g->reference[a][other] - g->reference[a][cell];
-        beta += step * law->fibre[a];
+        beta += step * fibre[a];
         square += step * step;
     }
-    return square > 0.0 ? 1.0 + law->fibre_excess * beta * beta / square : 1.0;
+    return square > 0.0 ? 1.0 + excess * beta * beta / square : 1.0;
 }
 
 double pdmc_variation_micromodulus(const pdmc_variation *v, const pdmc_nodes *g, const pdmc_bond_law *law, size_t cell,
                                    size_t other)
 {
     const double factor = v->stiffness ? 0.5 * (v->stiffness[cell] + v->stiffness[other]) : 1.0;
-    return law->micromodulus * factor * along_fibres(g, law, cell, other);
+    double c = law->micromodulus, excess = law->fibre_excess;
+    if (v->joints.bonded) {
+        const size_t pair = pdmc_joints_row(&v->joints, g->body[cell]) + (size_t)(g->body[other] + 1);
+        c = v->joints.micromodulus[pair];
+        excess = v->joints.fibre_excess[pair];
+    }
+    return c * factor * along_fibres(g, law->fibre, excess, cell, other);
 }

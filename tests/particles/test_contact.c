@@ -14,7 +14,7 @@ static void check_pairs(double amplitude, double offset, int least)
     s.options.contact_distance = 1.35;
     pdmc_nodes g;
     pdmc_contact contact;
-    CHECK_OK(pdmc_lattice_create(&s.options, &g));
+    CHECK_OK(pdmc_lattice_create(&s.options, &(pdmc_joints){0}, &g));
     CHECK_OK(pdmc_contact_create(&s.options, &g, 1.0, &contact));
     double *position[PDMC_AXES];
     for (int a = 0; a < PDMC_AXES; a++) {

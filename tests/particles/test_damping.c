@@ -54,7 +54,8 @@ static double swing_error(double damping, double bond_damping, double decay, dou
     s.options.bond_damping = bond_damping;
     const double factors[] = {1.0, 3.0}, square = 2.0 * s.material.micromodulus;
     pdmc_particles *p = create(&s);
-    const double dt = s.options.step = pdmc_particles_step_size(p); // of all: a family's here, with factors that of the bond
+    const double dt = pdmc_particles_step_size(p);
+    s.options.step = dt; // with factors it would be that of the bond, here it is that of a family
     if (stiffer) {
         pdmc_particles_destroy(p);
         s.material.micromodulus /= 6.0;

@@ -8,8 +8,13 @@
 /// How the bonds differ, and whether their nodes are scattered round the points of a grid and have different volumes.
 typedef struct {
     double strengthening;
-    bool linear, factors, strengths, scattered, fibres;
+    bool linear, factors, strengths, scattered, fibres, joined;
 } variant;
+
+/// Of the first material: the whole, a part that has nothing of its own, and one behind an interface; and a part of a softer
+/// material without fibres.
+enum { WHOLE, ALIKE, OTHER, BEHIND, BODIES };
+static const double softer = 0.5, interface_micromodulus = 3.0, interface_stretch = 0.03;
 
 /// Nodes with arrays of their own, moved at random, some of their bonds stretched beyond what they bear.
 typedef struct {
@@ -17,10 +22,14 @@ typedef struct {
     specimen s;
     pdmc_node *scattered; // NULL: on the grid
     pdmc_nodes nodes;
-    pdmc_bond_law law;
+    pdmc_brittle_material materials[2];
+    pdmc_body bodies[BODIES];
+    pdmc_interface interface;
+    pdmc_joints joints;
+    pdmc_bond_law law[2];
     pdmc_forces forces;
     double *position[PDMC_AXES], *velocity[PDMC_AXES], *force[PDMC_AXES], *strength, *next_strength, *stiffness,
-        *fracture, *elastic, *contact;
+        *relative, *fracture, *elastic, *contact;
     double strengths[PDMC_STRENGTH_CLASSES];
     uint8_t *bonds; // as they were
 } setting;
@@ -36,7 +45,36 @@ static void make_strengths(setting *t)
 {
     for (int k = 0; k < PDMC_STRENGTH_CLASSES; k++) t->strengths[k] = 0.5 + (k + 0.5) / PDMC_STRENGTH_CLASSES;
     t->forces.key = (pdmc_hash_key){123456789u, 987654321u};
-    t->law.strengths = t->strengths;
+    t->law[0].strengths = t->law[1].strengths = t->strengths;
+}
+
+static void make_laws(setting *t)
+{
+    t->law[0] = (pdmc_bond_law){.micromodulus = 2.0, .critical_stretch = 0.05, .strengthening = t->kind.strengthening};
+    t->law[1] = t->law[0];
+    t->law[1].micromodulus *= softer;
+    if (t->kind.fibres) t->law[0].fibre_excess = 2.5, t->law[0].fibre[0] = 0.6, t->law[0].fibre[2] = 0.8;
+}
+
+static void make_parts(setting *t)
+{
+    const pdmc_shape places[] = {[ALIKE] = {.kind = PDMC_SHAPE_BALL, .centre = {3, 2, 2}, .radius = 2.2},
+                                 [OTHER] = {.from = {6.5, -9, -9}, .to = {20, 20, 20}},
+                                 [BEHIND] = {.from = {-9, 5.5, -9}, .to = {9, 20, 20}}};
+    if (!t->kind.joined) return;
+    for (int b = 0; b < BODIES; b++) t->bodies[b] = t->s.body;
+    for (int b = ALIKE; b < BODIES; b++)
+        t->bodies[b] = (pdmc_body){.shape = places[b], .is_part = true, .host = WHOLE, .material = b == OTHER};
+    t->interface = (pdmc_interface){.of_bodies = true,
+                                    .first = BEHIND,
+                                    .second = WHOLE,
+                                    .micromodulus = interface_micromodulus,
+                                    .critical_stretch = interface_stretch};
+    t->materials[0] = t->materials[1] = t->s.material;
+    t->s.options.materials = t->materials, t->s.options.material_count = 2;
+    t->s.options.bodies = t->bodies, t->s.options.body_count = BODIES;
+    t->s.options.interfaces = &t->interface, t->s.options.interface_count = 1;
+    CHECK_OK(pdmc_joints_create(&t->s.options, t->law, &t->joints));
 }
 
 static void set_up(setting *t, variant kind, double amplitude)
@@ -46,15 +84,16 @@ static void set_up(setting *t, variant kind, double amplitude)
     make_box(&t->s, 3, (int[]){11, 9, 6});
     t->s.options.volume_rule = PDMC_VOLUME_TAPERED;
     t->s.options.contact_distance = 0.85;
+    make_laws(t);
+    if (kind.scattered) t->scattered = scatter_box(&t->s, (int[]){11, 9, 6}, 0.2, &seed);
+    make_parts(t);
     if (kind.scattered) {
-        t->scattered = scatter_box(&t->s, (int[]){11, 9, 6}, 0.2, &seed);
-        CHECK_OK(pdmc_scattered_create(&t->s.options, &t->nodes));
-    } else CHECK_OK(pdmc_lattice_create(&t->s.options, &t->nodes));
+        CHECK_OK(pdmc_scattered_create(&t->s.options, &t->joints, &t->nodes));
+    } else CHECK_OK(pdmc_lattice_create(&t->s.options, &t->joints, &t->nodes));
     const size_t cells = t->nodes.cells + PDMC_LANES, blocks = (size_t)t->nodes.block_count;
-    t->law = (pdmc_bond_law){.micromodulus = 2.0, .critical_stretch = 0.05, .strengthening = kind.strengthening};
-    if (kind.fibres) t->law.fibre_excess = 2.5, t->law.fibre[0] = 0.6, t->law.fibre[2] = 0.8;
     t->forces = (pdmc_forces){.nodes = &t->nodes,
-                              .laws = &t->law,
+                              .laws = t->law,
+                              .joints = &t->joints,
                               .repulsion = 3.0,
                               .step = 0.1,
                               .linear = kind.linear,
@@ -70,12 +109,15 @@ static void set_up(setting *t, variant kind, double amplitude)
     t->forces.strength = t->strength = zeros(cells);
     t->forces.next_strength = t->next_strength = zeros(cells);
     t->stiffness = zeros(cells);
+    t->relative = zeros(cells);
     const bool by_node = kind.strengthening > 0.0 || kind.factors;
     for (size_t c = 0; c < cells; c++) {
         t->strength[c] = 0.05 + (by_node ? 0.02 * scatter(&seed) : 0.0);
         t->stiffness[c] = kind.factors ? 1.0 + 0.5 * scatter(&seed) : 1.0;
+        t->relative[c] = kind.factors ? 1.0 + 0.5 * scatter(&seed) : 1.0;
     }
     if (kind.factors) t->forces.stiffness = t->stiffness;
+    if (kind.factors) t->forces.relative_strength = t->relative;
     if (kind.factors) t->forces.first_strength = t->strength;
     if (kind.strengths) make_strengths(t);
     t->forces.fracture = t->fracture = zeros(blocks);
@@ -95,12 +137,14 @@ static void tear_down(setting *t)
     pdmc_free(t->strength);
     pdmc_free(t->next_strength);
     pdmc_free(t->stiffness);
+    pdmc_free(t->relative);
     pdmc_free(t->fracture);
     pdmc_free(t->elastic);
     pdmc_free(t->contact);
     free(t->bonds);
     free(t->scattered);
     pdmc_nodes_clear(&t->nodes);
+    pdmc_joints_clear(&t->joints);
 }
 
 /// What a node should have: its bonds one after the other, as the equations are written.
@@ -115,17 +159,36 @@ static double weight_of(double length)
 }
 
 /// c of a bond over that of the law (eq. 10 of the paper), without the factors of nodes.
-static double directed(const setting *t, const double along[], double length)
+static double directed(const pdmc_bond_law *law, const double along[], double length)
 {
     double beta = 0.0;
-    for (int a = 0; a < PDMC_AXES; a++) beta += t->law.fibre[a] * along[a] / length;
-    return beta * beta * (1.0 + t->law.fibre_excess) + (1.0 - beta * beta);
+    for (int a = 0; a < PDMC_AXES; a++) beta += law->fibre[a] * along[a] / length;
+    return beta * beta * (1.0 + law->fibre_excess) + (1.0 - beta * beta);
+}
+
+static bool have(int a, int b, int first, int second)
+{
+    return (a == first && b == second) || (a == second && b == first);
+}
+
+/// c of a bond without the factors of nodes. Of two halves of different materials in series it is 2 / (1 / c_1 + 1 / c_2).
+static double stiff(const setting *t, size_t i, size_t j, const double along[], double length)
+{
+    const int a = t->nodes.body[i], b = t->nodes.body[j];
+    const double c = t->law[0].micromodulus;
+    if (!t->kind.joined) return c * directed(t->law, along, length);
+    if (have(a, b, WHOLE, BEHIND)) return interface_micromodulus;
+    if (a == OTHER && b == OTHER) return softer * c;
+    if (a == OTHER || b == OTHER) return 2.0 / (1.0 / c + 1.0 / (softer * c));
+    return c * directed(t->law, along, length);
 }
 
 /// s_0 of a bond.
 static double bears(const setting *t, size_t i, size_t j)
 {
-    const double s_0 = fmin(t->strength[i], t->strength[j]);
+    double s_0 = fmin(t->strength[i], t->strength[j]);
+    if (t->kind.joined && have(t->nodes.body[i], t->nodes.body[j], WHOLE, BEHIND))
+        s_0 = interface_stretch * fmin(t->relative[i], t->relative[j]);
     if (!t->kind.strengths) return s_0;
     return s_0 * t->strengths[pdmc_hash((uint32_t)(i < j ? i : j), (uint32_t)(i < j ? j : i), &t->forces.key)];
 }
@@ -149,8 +212,8 @@ static expected node_by_definition(const setting *t, size_t i)
         if (i == j || length > 3.0) continue;
         const double s = t->kind.linear ? slope / first : (distance - length) / length,
                      depth = fmin(0.9 * length, 0.85) - distance;
-        const double c = t->law.micromodulus * directed(t, along, length) * 0.5 * (t->stiffness[i] + t->stiffness[j]) *
-                         weight_of(length) * g->volume[j];
+        const double c = stiff(t, i, j, along, length) * 0.5 * (t->stiffness[i] + t->stiffness[j]) * weight_of(length) *
+                         g->volume[j];
         const double energy = 0.25 * c * s * s * length * g->volume[i];
         double growth = 0.0;
         for (int a = 0; a < PDMC_AXES; a++) {
@@ -186,9 +249,9 @@ static void check_block(const setting *t, int b, double rounding)
         fracture += e.fracture;
         touching_pairs += e.touching;
         broken_bonds += t->nodes.family[c] - e.whole;
-        if (t->law.strengthening > 0.0)
+        if (t->law[0].strengthening > 0.0)
             CHECK_NEAR(t->next_strength[c],
-                       (t->kind.factors ? t->strength[c] : 0.05) - t->law.strengthening * e.least_stretch, rounding);
+                       (t->kind.factors ? t->strength[c] : 0.05) - t->law[0].strengthening * e.least_stretch, rounding);
     }
     CHECK_NEAR(t->fracture[b], fracture, rounding);
 }
@@ -265,6 +328,11 @@ static void check(pdmc_forces_kernel *kernel)
         {.scattered = true, .strengthening = 0.25, .fibres = true},
         {.scattered = true, .strengthening = 0.25, .factors = true, .strengths = true},
         {.scattered = true, .linear = true, .strengthening = 0.25, .factors = true, .strengths = true},
+        {.joined = true},
+        {.joined = true, .strengthening = 0.25, .factors = true, .strengths = true, .fibres = true},
+        {.joined = true, .linear = true, .factors = true},
+        {.joined = true, .scattered = true},
+        {.joined = true, .scattered = true, .strengthening = 0.25, .factors = true, .strengths = true, .fibres = true},
     };
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         check_kernel(kernel, kinds[k]);

@@ -40,7 +40,7 @@ static void bonds_are_those_within_the_horizon(void **state)
     s.options.body_count = 2;
     s.options.bodies = bodies;
     pdmc_nodes g;
-    CHECK_OK(pdmc_lattice_create(&s.options, &g));
+    CHECK_OK(pdmc_lattice_create(&s.options, &(pdmc_joints){0}, &g));
     for (int i = 0; i < g.node_count; i++) {
         int family = 0;
         for (int j = 0; j < g.node_count; j++) {
@@ -70,7 +70,7 @@ static void nodes_fill_the_region(void **state)
     for (int x = -10; x <= 10; x++)
         for (int y = -10; y <= 10; y++) wanted += 6 * (x * x + y * y <= 100);
     pdmc_nodes g;
-    CHECK_OK(pdmc_lattice_create(&s.options, &g));
+    CHECK_OK(pdmc_lattice_create(&s.options, &(pdmc_joints){0}, &g));
     assert_int_equal(g.node_count, wanted);
     assert_true(g.bond_bytes < (size_t)wanted * 122);
     pdmc_nodes_clear(&g);
@@ -95,7 +95,7 @@ static void cracks_cut_what_crosses_them(void **state)
         .kind = PDMC_CRACK_RECTANGLE, .centre = {4.5, 4.5, 0.5}, .side = {{2.2, 0, 0}, {0, 3.2, 0}}};
     pdmc_nodes g;
     for (int kind = 0; kind < 2; kind++) {
-        CHECK_OK(pdmc_lattice_create(&s.options, &g));
+        CHECK_OK(pdmc_lattice_create(&s.options, &(pdmc_joints){0}, &g));
         CHECK_OK(pdmc_nodes_cut(&g, 1, kind == 0 ? &disc : &square));
         int cut = 0;
         for (int i = 0; i < g.node_count; i++) {
@@ -136,19 +136,19 @@ static void refusals(void **state)
     s.options.crack_count = 1;
     s.options.cracks = &crack;
     CHECK_STATUS(pdmc_particles_create(&s.options, &particles), PDMC_ERR_ARG);
-    assert_non_null(strstr(pdmc_last_error(), "cut all bonds of the node at (0, 0, 0)"));
+    assert_non_null(strstr(pdmc_last_error(), "cracks[0]: cuts all bonds of the node at (0, 0, 0)"));
     make_box(&s, 2, (int[]){5, 5, 1});
     const pdmc_planar_crack beside = {.kind = PDMC_CRACK_SEGMENT, .from = {5.5, -1}, .to = {5.5, 1}};
     s.options.crack_count = 1;
     s.options.cracks = &beside;
     CHECK_STATUS(pdmc_particles_create(&s.options, &particles), PDMC_ERR_ARG);
-    assert_non_null(strstr(pdmc_last_error(), "cracks[0] crosses no bond"));
+    assert_non_null(strstr(pdmc_last_error(), "cracks[0]: crosses no bond"));
     make_box(&s, 2, (int[]){5, 5, 1});
     const pdmc_body bodies[] = {s.body, {.shape = {.kind = PDMC_SHAPE_BOX, .from = {4, 3, 0}, .to = {9, 9, 0}}}};
     s.options.body_count = 2;
     s.options.bodies = bodies;
     CHECK_STATUS(pdmc_particles_create(&s.options, &particles), PDMC_ERR_ARG);
-    assert_non_null(strstr(pdmc_last_error(), "bodies[0] and bodies[1] overlap: both have the node at (4, 3, 0)"));
+    assert_non_null(strstr(pdmc_last_error(), "bodies[1]: overlaps bodies[0], both have the node at (4, 3, 0)"));
     assert_null(particles);
 }
 

@@ -305,7 +305,7 @@ static void bad_nodes_are_refused(void **state)
     nodes[17] = nodes[41];
     refuse(&s, "in the same place");
     nodes[17] = good, nodes[17].x[2] = 20.0;
-    refuse(&s, "has no other of its body within 3");
+    refuse(&s, "has no other to be bonded with within 3");
     nodes[17] = good, s.body.node_count = 0;
     refuse(&s, "no node");
     free(nodes);

@@ -129,7 +129,7 @@ static void zones_keep_their_bonds(void **state)
     s.options.no_fail = &(pdmc_shape){.kind = PDMC_SHAPE_BALL, .centre = {90, 0, 0}, .radius = 1.0};
     s.options.no_fail_count = 1;
     CHECK_STATUS(pdmc_particles_create(&s.options, &p), PDMC_ERR_ARG);
-    assert_string_equal(pdmc_last_error(), "no_fail[0] holds no node");
+    assert_string_equal(pdmc_last_error(), "no_fail[0]: holds no node");
 }
 
 /// A cube that is stretched evenly: no axis is before another, so that beta^2 is a third in the mean, whatever the fibres'
