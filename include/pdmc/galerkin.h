@@ -7,6 +7,7 @@
 /// wide as the horizon round the body. Lengths in any unit; L is 1 / length^2.
 
 #include "pdmc/mesh.h"
+#include "pdmc/quadrature.h"
 
 // ---- the kernel ----
 
@@ -127,6 +128,82 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_space_distance(const pdmc_space *space,
 /// an edge), PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_form_solve(const pdmc_form *form, const double load[], double u[]);
 
+// ---- bonds with a law ----
+
+/// g(s) of the stretch s = (u' - u) / r of a bond, whose force is c(r) r g(s); g(s) = s is the problem above. With the
+/// stretch S of the law:
+///     saturating  S tanh(s / S)           towards a force that no stretch exceeds
+///     stiffening  s (1 + (s / S)^2)
+///     softening   s exp(-(s / S)^2)       a bond that breaks smoothly: beyond S / sqrt(2) it gives way (as the cohesive
+///                                         bonds of R. Lipton, J. Elasticity 117 (2014) 21-50)
+typedef enum { PDMC_LAW_LINEAR, PDMC_LAW_SATURATING, PDMC_LAW_STIFFENING, PDMC_LAW_SOFTENING } pdmc_law_kind;
+typedef struct {
+    pdmc_law_kind kind;
+    double stretch; // S > 0, of no meaning where the law is linear
+} pdmc_bond_law;
+
+/// g(s), g'(s), and the integral of g from 0 to s.
+PDMC_API double pdmc_law_force(const pdmc_bond_law *law, double stretch);
+PDMC_API double pdmc_law_slope(const pdmc_bond_law *law, double stretch);
+PDMC_API double pdmc_law_energy(const pdmc_bond_law *law, double stretch);
+
+/// Points xi of half a horizon, with weights for the sum over g(s(xi)) + g(s(-xi)): Gauss points of the radius, with the
+/// kernel's power in the first bin, and equally spaced directions. Exact to rounding where the function is analytic and no wave
+/// of it is shorter than the horizon.
+/// @param[out] points  free with pdmc_area_rule_clear(); zero on failure
+/// @return PDMC_OK or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_horizon_points(const pdmc_scalar_kernel *kernel, pdmc_area_rule *points);
+
+/// (L u)(x) = int c r g((u' - u) / r) dxi of any function u, by these points.
+/// @param[in]  x  [2], the second 0 in one dimension, as for u
+PDMC_API double pdmc_law_operator(const pdmc_area_rule *points, const pdmc_bond_law *law, pdmc_scalar_function *u,
+                              const void *context, const double x[]);
+
+/// The bonds of a space, all with one law; to be integrated many times.
+typedef struct pdmc_law_bonds pdmc_law_bonds;
+
+/// @param[in]  space, kernel  must outlive the bonds
+/// @param[in]  rule           with an inner rule by points: polynomial or careless
+/// @param[out] bonds          destroy with pdmc_law_bonds_destroy()
+/// @return PDMC_OK, PDMC_ERR_ARG (also where a rule is exact), or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_law_bonds_create(const pdmc_space *space, const pdmc_scalar_kernel *kernel,
+                                                      const pdmc_bond_law *law, const pdmc_form_rule *rule, int threads,
+                                                      pdmc_law_bonds **bonds);
+
+/// NULL is allowed; sets the pointer to NULL.
+PDMC_API void pdmc_law_bonds_destroy(pdmc_law_bonds **bonds);
+
+/// F(u) = 1/2 int int c r g (v' - v) for every free v, and the energy 1/2 int int c r^2 int g. F is what holds u: in balance
+/// with a load b it is (b, v).
+/// @param[in]  u       [count]
+/// @param[out] force   [free_count]
+/// @param[out] energy  of all bonds that do not lie in the layer
+PDMC_API void pdmc_law_bonds_force(const pdmc_law_bonds *bonds, const double u[], double force[], double *energy);
+
+/// The derivative of F, 1/2 int int c g' (w' - w) (v' - v): symmetric, and definite where all g' > 0.
+/// @param[out] form  free with pdmc_form_clear(); zero on failure
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_law_bonds_tangent(const pdmc_law_bonds *bonds, const double u[], pdmc_form *form);
+
+enum { PDMC_NEWTON_MOST = 40 };
+
+/// How Newton's method went: norms of F(u) - load over that of linear bonds' forces at the start, of which the first is where
+/// linear bonds would be at rest.
+typedef struct {
+    int iterations;
+    int halvings; // of steps, in all
+    double residual[PDMC_NEWTON_MOST + 1];
+} pdmc_newton;
+
+/// F(u) = load for the free values by Newton's method with CHOLMOD on the tangent, from where linear bonds would be at rest; a
+/// step that does not lessen the residual is halved. To 1e-11 in the residual.
+/// @param[in]     load    [free_count]
+/// @param[in,out] u       [count] prescribed values; gets the free ones
+/// @param[out]    newton  also on failure
+/// @return PDMC_OK, PDMC_ERR_SINGULAR (the tangent is not positive definite: bonds give way or nothing holds the elements;
+/// or no step lessens the residual), PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_law_bonds_solve(const pdmc_law_bonds *bonds, const double load[], double u[],
+                                                     pdmc_newton *newton);
+
 // ---- motion ----
 
 /// The largest eigenvalue of M^-1 A for the free values, by Lanczos' method.
@@ -140,12 +217,25 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_form_largest_eigenvalue(const pdmc_form
 /// The longest stable step of central differences, 2 / sqrt(largest eigenvalue).
 PDMC_API double pdmc_stable_step(double largest_eigenvalue);
 
-/// M u_tt + A u = 0 by central differences from rest, with prescribed values that go with cos(frequency t).
+/// M u_tt + A u = load by central differences from rest, with prescribed values that go with cos(frequency t).
 /// @param[in]     count      all values
+/// @param[in]     load       [free_count], or NULL for none
 /// @param[in]     step       of time, in units of length since waves have speed 1
 /// @param[in]     steps      >= 1
 /// @param[in]     frequency  1 / length
 /// @param[in,out] u          [count] at the start, and after the last step
 /// @return PDMC_OK, PDMC_ERR_ARG, PDMC_ERR_SINGULAR, PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
-PDMC_API PDMC_NODISCARD pdmc_status pdmc_form_march(const pdmc_form *form, const pdmc_form *mass, int count, double step,
-                                                    int steps, double frequency, double u[]);
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_form_march(const pdmc_form *form, const pdmc_form *mass, int count,
+                                                    const double load[], double step, int steps, double frequency,
+                                                    double u[]);
+
+/// M u_tt + F(u) = load from rest by central differences, with prescribed values that do not move.
+/// @param[in]     load   [free_count]
+/// @param[in]     step   of time; stable below the stable step of the tangent, wherever the motion leads
+/// @param[in,out] u      [count] at the start, and after the last step
+/// @param[out]    drift  the largest change of the energy, kinetic and of bonds and load, over the largest kinetic one; it
+///                       goes with the square of the step
+/// @return PDMC_OK, PDMC_ERR_ARG, PDMC_ERR_SINGULAR, PDMC_ERR_NOMEM, or PDMC_ERR_EXTERN
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_law_bonds_march(const pdmc_law_bonds *bonds, const pdmc_form *mass,
+                                                     const double load[], double step, int steps, double u[],
+                                                     double *drift);

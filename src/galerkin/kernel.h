@@ -20,6 +20,14 @@ typedef struct {
     double zero, first[2], second[3]; // second: xx, xy, yy
 } pdmc_moments;
 
+/// Adds those of a point at xi with the weight c.
+static inline void pdmc_moments_add(const double xi[2], double c, pdmc_moments *moments)
+{
+    moments->zero += c;
+    for (int k = 0; k < 2; k++) moments->first[k] += c * xi[k];
+    for (int k = 0; k < 3; k++) moments->second[k] += c * xi[k / 2] * xi[(k + 1) / 2];
+}
+
 /// Of the interval [a, b], relative to the centre. Where it contains the centre and power >= 1, the zeroth is not
 /// finite.
 void pdmc_interval_moments(const pdmc_scalar_kernel *kernel, double a, double b, pdmc_moments *moments);

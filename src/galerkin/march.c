@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/base_impl.h"
+#include "galerkin/law_bonds.h"
 #include "galerkin/solve.h"
 
 #include <math.h>
 #include <string.h>
 
+// The force of all bonds on the free values, and their energy where it is known.
+typedef void force_function(const void *context, const double u[], double force[], double *energy);
+
 typedef struct {
-    const pdmc_form *form, *mass;
+    force_function *bonds;
+    const void *context;
+    const double *load; // [free_count], NULL for none
+    const pdmc_form *mass;
     const pdmc_bond_factor *factor; // of the mass
     int free_count, count;
     double frequency;
     double *start;                       // [count] values at the start, of which the prescribed ones are used
     double *now, *before, *acceleration; // [count]
     double *force, *inertia;             // [free_count]
+    double potential;                    // of bonds and load
 } marcher;
 
 static void prescribe(marcher *m, double time)
@@ -24,13 +32,17 @@ static void prescribe(marcher *m, double time)
     }
 }
 
-// M a = -A u - what the prescribed accelerations take.
+// M a = load - F(u) - what the prescribed accelerations take.
 static pdmc_status accelerate(marcher *m)
 {
     memset(m->acceleration, 0, (size_t)m->free_count * sizeof *m->acceleration);
-    pdmc_form_multiply(m->form, m->now, m->force);
+    m->bonds(m->context, m->now, m->force, &m->potential);
     pdmc_form_multiply(m->mass, m->acceleration, m->inertia);
-    for (int i = 0; i < m->free_count; i++) m->force[i] = -m->force[i] - m->inertia[i];
+    for (int i = 0; i < m->free_count; i++) {
+        const double load = m->load ? m->load[i] : 0.0;
+        m->potential -= load * m->now[i];
+        m->force[i] = load - m->force[i] - m->inertia[i];
+    }
     return pdmc_bond_factor_solve(m->factor, 1, m->force, m->acceleration);
 }
 
@@ -47,32 +59,116 @@ static pdmc_status step_once(marcher *m, double step, int done)
     return status;
 }
 
-pdmc_status pdmc_form_march(const pdmc_form *form, const pdmc_form *mass, int count, double step, int steps,
-                            double frequency, double u[])
+static void march_clear(marcher *m)
+{
+    pdmc_free(m->start);
+    pdmc_free(m->before);
+    pdmc_free(m->acceleration);
+    pdmc_free(m->force);
+    pdmc_free(m->inertia);
+}
+
+static pdmc_status march_allocate(marcher *m)
 {
     pdmc_status status = PDMC_OK;
-    const size_t bytes = (size_t)count * sizeof *u;
-    pdmc_bond_factor *factor = NULL;
-    marcher m = {
-        .form = form, .mass = mass, .free_count = form->free_count, .count = count, .frequency = frequency, .now = u};
+    PDMC_NEW(m->start, m->count);
+    PDMC_NEW(m->before, m->count);
+    PDMC_NEW(m->acceleration, m->count);
+    PDMC_NEW(m->force, m->free_count);
+    PDMC_NEW(m->inertia, m->free_count);
+    memcpy(m->start, m->now, (size_t)m->count * sizeof *m->now);
+done:
+    return status;
+}
+
+static pdmc_status check_steps(double step, int steps)
+{
     PDMC_REQUIRE(step > 0.0 && isfinite(step), "a step of %g is not > 0", step);
     PDMC_REQUIRE(steps >= 1, "%d steps are not 1 or more", steps);
-    PDMC_NEW(m.start, count);
-    PDMC_NEW(m.before, count);
-    PDMC_NEW(m.acceleration, count);
-    PDMC_NEW(m.force, form->free_count);
-    PDMC_NEW(m.inertia, form->free_count);
+    return PDMC_OK;
+}
+
+static void force_of_form(const void *context, const double u[], double force[], double *energy)
+{
+    *energy = NAN;
+    pdmc_form_multiply(context, u, force);
+}
+
+pdmc_status pdmc_form_march(const pdmc_form *form, const pdmc_form *mass, int count, const double load[], double step,
+                            int steps, double frequency, double u[])
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_bond_factor *factor = NULL;
+    marcher m = {.bonds = force_of_form, .context = form, .load = load, .mass = mass, .free_count = form->free_count,
+                 .count = count, .frequency = frequency, .now = u};
+    PDMC_TRY(check_steps(step, steps));
+    PDMC_TRY(march_allocate(&m));
     PDMC_TRY(pdmc_form_factor(mass, &factor));
     m.factor = factor;
-    memcpy(m.start, u, bytes);
     for (int done = 0; done < steps; done++) PDMC_TRY(step_once(&m, step, done));
     prescribe(&m, steps * step);
 done:
     pdmc_bond_factor_destroy(&factor);
-    pdmc_free(m.start);
-    pdmc_free(m.before);
-    pdmc_free(m.acceleration);
-    pdmc_free(m.force);
-    pdmc_free(m.inertia);
+    march_clear(&m);
+    return status;
+}
+
+static void force_of_bonds(const void *context, const double u[], double force[], double *energy)
+{
+    pdmc_law_bonds_force(context, u, force, energy);
+}
+
+// Of the velocity between two states; with what is prescribed at rest the mass has free rows alone.
+static double kinetic_energy(const marcher *m, const double velocity[])
+{
+    double twice = 0.0;
+    pdmc_form_multiply(m->mass, velocity, m->inertia);
+    for (int i = 0; i < m->free_count; i++) twice += velocity[i] * m->inertia[i];
+    return 0.5 * twice;
+}
+
+typedef struct {
+    double start, drift, kinetic; // of energy: at the start; the largest difference to it; the largest kinetic one
+} balance;
+
+// At the state before the step that was just taken, by the states on either side of it: `earlier` becomes that state.
+static void weigh(const marcher *m, double step, int done, double earlier[], double velocity[], balance *b)
+{
+    for (int i = 0; i < m->free_count; i++) {
+        velocity[i] = done > 0 ? (m->now[i] - earlier[i]) / (2.0 * step) : 0.0;
+        earlier[i] = m->before[i];
+    }
+    const double kinetic = kinetic_energy(m, velocity);
+    if (done == 0) b->start = m->potential;
+    b->kinetic = fmax(b->kinetic, kinetic);
+    b->drift = fmax(b->drift, fabs(kinetic + m->potential - b->start));
+}
+
+pdmc_status pdmc_law_bonds_march(const pdmc_law_bonds *bonds, const pdmc_form *mass, const double load[], double step, int steps,
+                             double u[], double *drift)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_bond_factor *factor = NULL;
+    double *earlier = NULL, *velocity = NULL;
+    balance b = {0};
+    const pdmc_space *space = bonds->assembly.space;
+    marcher m = {.bonds = force_of_bonds, .context = bonds, .load = load, .mass = mass,
+                 .free_count = space->free_count, .count = space->count, .now = u};
+    PDMC_TRY(check_steps(step, steps));
+    PDMC_TRY(march_allocate(&m));
+    PDMC_NEW(earlier, space->free_count);
+    PDMC_NEW(velocity, space->count);
+    PDMC_TRY(pdmc_form_factor(mass, &factor));
+    m.factor = factor;
+    for (int done = 0; done < steps; done++) {
+        PDMC_TRY(step_once(&m, step, done));
+        weigh(&m, step, done, earlier, velocity, &b);
+    }
+    *drift = b.kinetic > 0.0 ? b.drift / b.kinetic : 0.0;
+done:
+    pdmc_bond_factor_destroy(&factor);
+    march_clear(&m);
+    pdmc_free(earlier);
+    pdmc_free(velocity);
     return status;
 }

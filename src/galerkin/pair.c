@@ -6,10 +6,7 @@
 
 #include <math.h>
 
-enum {
-    MOST_POINTS = 256,
-    DEGREE = 4
-}; // of the rule for polynomials: two of the values, and two to spare for the kernel
+enum { DEGREE = 4 }; // of the rule for polynomials: two of the values, and two to spare for the kernel
 
 pdmc_status pdmc_pair_rule_create(const pdmc_scalar_kernel *kernel, const pdmc_form_rule *rule, pdmc_pair_rule *out)
 {
@@ -26,7 +23,7 @@ pdmc_status pdmc_pair_rule_create(const pdmc_scalar_kernel *kernel, const pdmc_f
     PDMC_TRY(pdmc_element_rule_outer(kernel->dimension, rule, &made.outer));
     PDMC_TRY(pdmc_element_rule_outer(kernel->dimension, &gauss, &made.careless));
     PDMC_TRY(pdmc_triangle_disc_rule_create(DEGREE, &made.polynomial));
-    if (made.polynomial.capacity > MOST_POINTS)
+    if (made.polynomial.capacity > PDMC_INNER_POINTS)
         PDMC_FAIL(PDMC_ERR_ARG, "an intersection needs %d points", made.polynomial.capacity);
     PDMC_TRY(pdmc_gauss_legendre(6, 0.0, 1.0, made.x[0], made.w[0]));
     PDMC_TRY(pdmc_gauss_legendre(10, 0.0, 1.0, made.x[1], made.w[1]));
@@ -52,53 +49,55 @@ bool pdmc_pair_is_ordered(const pdmc_pair_rule *rule)
 
 // ---- the inner integral ----
 
-static void add_inner_point(const pdmc_scalar_kernel *kernel, const double xi[2], double weight, pdmc_moments *m)
+static void add_point(double x, double y, double weight, pdmc_area_rule *points)
 {
-    const double r = sqrt(xi[0] * xi[0] + xi[1] * xi[1]);
-    if (r == 0.0 || r >= kernel->horizon) return;
-    const double c = weight * pdmc_scalar_kernel_at(kernel, r);
-    m->zero += c;
-    for (int k = 0; k < 2; k++) m->first[k] += c * xi[k];
-    for (int k = 0; k < 3; k++) m->second[k] += c * xi[k / 2] * xi[(k + 1) / 2];
+    points->x[2 * points->count] = x;
+    points->x[2 * points->count + 1] = y;
+    points->weight[points->count++] = weight;
 }
 
-static pdmc_moments careless_moments(const pdmc_pair_rule *rule, const pdmc_element *other, const double x[2])
+static void careless_points(const pdmc_pair_rule *rule, const pdmc_element *other, pdmc_area_rule *points)
 {
-    pdmc_moments m = {0};
     for (int p = 0; p < rule->careless.count; p++) {
-        double xi[2];
-        pdmc_element_point(other, rule->kernel->dimension, &rule->careless.at[PDMC_CORNERS * p], xi);
-        for (int d = 0; d < 2; d++) xi[d] -= x[d];
-        add_inner_point(rule->kernel, xi, other->size * rule->careless.weight[p], &m);
+        double x[2];
+        pdmc_element_point(other, rule->kernel->dimension, &rule->careless.at[PDMC_CORNERS * p], x);
+        add_point(x[0], x[1], other->size * rule->careless.weight[p], points);
     }
-    return m;
 }
 
 // The part of an interval within the horizon, on one side of the centre after the other.
-static pdmc_moments polynomial_interval(const pdmc_pair_rule *rule, const pdmc_element *other, const double x[2])
+static void points_of_interval(const pdmc_pair_rule *rule, const pdmc_element *other, const double x[2],
+                               pdmc_area_rule *points)
 {
-    pdmc_moments m = {0};
-    const double horizon = rule->kernel->horizon, cut[3] = {-horizon, 0.0, horizon};
+    const double horizon = rule->kernel->horizon, cut[3] = {x[0] - horizon, x[0], x[0] + horizon};
     for (int side = 0; side < 2; side++) {
-        const double from = fmax(other->corner[0][0] - x[0], cut[side]);
-        const double to = fmin(other->corner[1][0] - x[0], cut[side + 1]);
+        const double from = fmax(other->corner[0][0], cut[side]), to = fmin(other->corner[1][0], cut[side + 1]);
         for (int p = 0; p < rule->careless.count && from < to; p++) {
             const double *at = &rule->careless.at[PDMC_CORNERS * p];
-            add_inner_point(rule->kernel, (double[2]){at[0] * from + at[1] * to, 0.0},
-                            (to - from) * rule->careless.weight[p], &m);
+            add_point(at[0] * from + at[1] * to, 0.0, (to - from) * rule->careless.weight[p], points);
         }
     }
-    return m;
 }
 
-static pdmc_moments polynomial_triangle(const pdmc_pair_rule *rule, const pdmc_element *other, const double x[2])
+void pdmc_pair_points(const pdmc_pair_rule *rule, const pdmc_element *other, const double x[2], pdmc_area_rule *points)
+{
+    points->count = 0;
+    if (rule->rule.inner == PDMC_INNER_CARELESS) careless_points(rule, other, points);
+    else if (rule->kernel->dimension == 1) points_of_interval(rule, other, x, points);
+    else
+        pdmc_triangle_disc_points(&rule->polynomial, (const double *)other->corner, x, rule->kernel->horizon, points);
+}
+
+static pdmc_moments moments_by_points(const pdmc_pair_rule *rule, const pdmc_element *other, const double x[2])
 {
     pdmc_moments m = {0};
-    double place[2 * MOST_POINTS], weight[MOST_POINTS];
+    double place[2 * PDMC_INNER_POINTS], weight[PDMC_INNER_POINTS];
     pdmc_area_rule points = {.x = place, .weight = weight};
-    pdmc_triangle_disc_points(&rule->polynomial, (const double *)other->corner, x, rule->kernel->horizon, &points);
-    for (int p = 0; p < points.count; p++)
-        add_inner_point(rule->kernel, (double[2]){place[2 * p] - x[0], place[2 * p + 1] - x[1]}, weight[p], &m);
+    pdmc_pair_points(rule, other, x, &points);
+    for (int p = 0; p < points.count; p++) {
+        const double xi[2] = {place[2 * p] - x[0], place[2 * p + 1] - x[1]}, r = sqrt(xi[0] * xi[0] + xi[1] * xi[1]);
+        if (r > 0.0) pdmc_moments_add(xi, weight[p] * pdmc_scalar_kernel_at(rule->kernel, r), &m);
+    }
     return m;
 }
 
@@ -111,16 +110,6 @@ static pdmc_moments exact_moments(const pdmc_pair_rule *rule, const pdmc_element
     if (rule->kernel->dimension == 1) pdmc_interval_moments(rule->kernel, corner[0][0], corner[1][0], &m);
     else pdmc_triangle_moments(rule->kernel, corner, &m);
     return m;
-}
-
-static pdmc_moments inner_moments(const pdmc_pair_rule *rule, const pdmc_element *other, const double x[2])
-{
-    switch (rule->rule.inner) {
-    case PDMC_INNER_EXACT: return exact_moments(rule, other, x);
-    case PDMC_INNER_POLYNOMIAL: break;
-    case PDMC_INNER_CARELESS: return careless_moments(rule, other, x);
-    }
-    return rule->kernel->dimension == 1 ? polynomial_interval(rule, other, x) : polynomial_triangle(rule, other, x);
 }
 
 // ---- pairs ----
@@ -154,7 +143,15 @@ static void add_different(int n, const double near[], const double far[], const 
     }
 }
 
-static bool is_beyond(const pdmc_pair_rule *rule, const pdmc_element *other, const double x[2])
+void pdmc_pair_add_moments(int corners, const pdmc_element *element, const pdmc_element *other, bool same,
+                           const double near[], const double far[], const pdmc_moments *m, double weight,
+                           pdmc_pair_block *block)
+{
+    if (same) add_same(corners, element, m, weight, block);
+    else add_different(corners, near, far, other, m, weight, block);
+}
+
+bool pdmc_pair_is_beyond(const pdmc_pair_rule *rule, const pdmc_element *other, const double x[2])
 {
     const double d[2] = {other->middle[0] - x[0], other->middle[1] - x[1]};
     const double reach = rule->kernel->horizon + other->radius;
@@ -174,10 +171,10 @@ void pdmc_pair_integrate(const pdmc_pair_rule *rule, const pdmc_element *element
         double x[2], far[PDMC_CORNERS];
         const double *near = &rule->outer.at[PDMC_CORNERS * p], weight = 0.5 * element->size * rule->outer.weight[p];
         pdmc_element_point(element, dimension, near, x);
-        if (is_beyond(rule, other, x)) continue;
-        const pdmc_moments m = inner_moments(rule, other, x);
+        if (pdmc_pair_is_beyond(rule, other, x)) continue;
+        const pdmc_moments m = rule->rule.inner == PDMC_INNER_EXACT ? exact_moments(rule, other, x)
+                                                                    : moments_by_points(rule, other, x);
         pdmc_element_coordinates(other, dimension, x, far);
-        if (same) add_same(dimension + 1, element, &m, weight, block);
-        else add_different(dimension + 1, near, far, other, &m, weight, block);
+        pdmc_pair_add_moments(dimension + 1, element, other, same, near, far, &m, weight, block);
     }
 }

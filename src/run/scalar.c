@@ -150,7 +150,7 @@ static pdmc_status move(level *l, pdmc_scalar_record *record)
     if (record->steps[at] > INT32_MAX) PDMC_FAIL(PDMC_ERR_CONFIG, "%.3g steps are too many", record->steps[at]);
     PDMC_NEW(u, l->space.count);
     set_wave(&l->space, &l->wave, 0, u);
-    PDMC_TRY(pdmc_form_march(&l->form, &mass, l->space.count, duration / record->steps[at], (int)record->steps[at],
+    PDMC_TRY(pdmc_form_march(&l->form, &mass, l->space.count, NULL, duration / record->steps[at], (int)record->steps[at],
                              frequency, u));
     end.factor = cos(frequency * duration);
     PDMC_TRY(pdmc_space_distance(&l->space, u, wave_at, &end, &record->motion_error[at]));

@@ -50,7 +50,7 @@ static double amplitude(const moving *m, double factor)
     double *u = pdmc_calloc((size_t)m->at.space.count, sizeof *u), most = 0.0;
     for (int i = 0; i < m->at.space.free_count; i++) u[i] = (i * 7 % 11) / 11.0 - 0.5;
     CHECK_OK(
-        pdmc_form_march(&m->form, &m->mass, m->at.space.count, factor * pdmc_stable_step(m->largest), 1000, 0.0, u));
+        pdmc_form_march(&m->form, &m->mass, m->at.space.count, NULL, factor * pdmc_stable_step(m->largest), 1000, 0.0, u));
     for (int i = 0; i < m->at.space.free_count; i++) most = fmax(most, fabs(u[i]));
     pdmc_free(u);
     return most;
@@ -88,7 +88,7 @@ static double standing_wave_error(const steady *s, double share_of_stable_step)
     const int steps = (int)ceil(duration / (share_of_stable_step * pdmc_stable_step(m.largest)));
     double *u = pdmc_calloc((size_t)m.at.space.count, sizeof *u);
     for (int i = 0; i < m.at.space.count; i++) u[i] = wave_at(&w, &m.at.space.x[d * (size_t)i]);
-    CHECK_OK(pdmc_form_march(&m.form, &m.mass, m.at.space.count, duration / steps, steps, sqrt(lambda), u));
+    CHECK_OK(pdmc_form_march(&m.form, &m.mass, m.at.space.count, NULL, duration / steps, steps, sqrt(lambda), u));
     w.factor = cos(5.3);
     CHECK_OK(pdmc_space_distance(&m.at.space, u, wave_at, &w, &error));
     pdmc_free(u);
@@ -120,9 +120,9 @@ static void steps_that_cannot_be_are_refused(void **state)
     moving m;
     moving_create(&s, &m);
     double u[16] = {0};
-    CHECK_STATUS(pdmc_form_march(&m.form, &m.mass, m.at.space.count, 0.0, 1, 0.0, u), PDMC_ERR_ARG);
-    CHECK_STATUS(pdmc_form_march(&m.form, &m.mass, m.at.space.count, 0.1, 0, 0.0, u), PDMC_ERR_ARG);
-    CHECK_FAILS_CLEANLY(pdmc_form_march(&m.form, &m.mass, m.at.space.count, 0.1, 1, 0.0, u), );
+    CHECK_STATUS(pdmc_form_march(&m.form, &m.mass, m.at.space.count, NULL, 0.0, 1, 0.0, u), PDMC_ERR_ARG);
+    CHECK_STATUS(pdmc_form_march(&m.form, &m.mass, m.at.space.count, NULL, 0.1, 0, 0.0, u), PDMC_ERR_ARG);
+    CHECK_FAILS_CLEANLY(pdmc_form_march(&m.form, &m.mass, m.at.space.count, NULL, 0.1, 1, 0.0, u), );
     moving_clear(&m);
 }
 
