@@ -4,7 +4,6 @@
 #include "base/base_impl.h"
 
 #include <math.h>
-#include <string.h>
 
 typedef struct {
     const pdmc_relaxation_model *model;
@@ -54,22 +53,26 @@ static bool swings_back(const relaxation *r)
     return power < 0.0;
 }
 
-/// The damping of the next step; a motion that swings back is stopped.
-static double choose_damping(relaxation *r, int step)
+static bool is_adaptive(const relaxation *r)
 {
-    if (r->options->damping >= 0.0) return r->options->damping;
-    if (step == 0) return 0.0;
-    if (!swings_back(r)) return adaptive_damping(r);
-    memset(r->velocity, 0, r->model->unknowns * sizeof *r->velocity);
-    return 0.0;
+    return r->options->damping < 0.0;
 }
 
-/// Eq. 4.55, 4.56 and, at the start, 4.58, with a step of 1.
-static void move(relaxation *r, bool first, double damping)
+/// Eq. 4.58, from rest with a step of 1: a half of it, since a whole one from rest to rest can overshoot by more and more.
+static void begin(relaxation *r)
+{
+    for (size_t i = 0; i < r->model->unknowns; i++) {
+        r->velocity[i] = 0.5 * r->force[i] / r->model->mass[i];
+        r->x[i] += r->velocity[i];
+    }
+}
+
+/// Eq. 4.55 and 4.56 with a step of 1.
+static void move(relaxation *r, double damping)
 {
     for (size_t i = 0; i < r->model->unknowns; i++) {
         const double push = r->force[i] / r->model->mass[i];
-        r->velocity[i] = first ? 0.5 * push : ((2.0 - damping) * r->velocity[i] + 2.0 * push) / (2.0 + damping);
+        r->velocity[i] = ((2.0 - damping) * r->velocity[i] + 2.0 * push) / (2.0 + damping);
         r->x[i] += r->velocity[i];
     }
 }
@@ -95,8 +98,10 @@ static pdmc_status run(relaxation *r, bool (*observe)(void *, const pdmc_relaxat
         if (!isfinite(state->residual) || state->steps == o->max_steps)
             PDMC_FAIL(PDMC_ERR_SINGULAR, "no rest after %d steps of relaxation: residual %g, wanted %g", state->steps,
                       state->residual, o->tolerance);
-        state->damping = choose_damping(r, state->steps);
-        move(r, state->steps == 0, state->damping);
+        const bool from_rest = state->steps == 0 || (is_adaptive(r) && swings_back(r));
+        state->damping = !is_adaptive(r) ? o->damping : from_rest ? 0.0 : adaptive_damping(r);
+        if (from_rest) begin(r);
+        else move(r, state->damping);
     }
 done:
     return status;
