@@ -3,6 +3,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pdmc)
 
 install(TARGETS pdmc pdmc_cli EXPORT pdmcTargets)
+install(TARGETS pdmc_gmsh LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}) # found beside the library
 install(DIRECTORY include/pdmc TYPE INCLUDE FILES_MATCHING PATTERN "*.h")
 
 # The headers need nothing but the C library, so that the targets are the whole package.

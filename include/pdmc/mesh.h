@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Meshes of intervals and triangles. Lengths in any unit.
+/// Meshes of intervals, triangles and tetrahedra. Lengths in any unit.
 
 #include "pdmc/base.h"
 
-/// Intervals or triangles, with corners counter-clockwise.
+enum { PDMC_GENERATOR_SIZE = 32 };
+
+/// Intervals, triangles or tetrahedra of positive size: the corners of triangles are counter-clockwise.
 typedef struct {
     int dimension;
     int node_count;
     double *x; // [node_count, dimension]
     int element_count;
-    int *corner;    // [element_count, dimension + 1] nodes
-    uint8_t *layer; // [element_count] 1 where the field is prescribed
-    uint8_t *rough; // [element_count] 1 where a mixed space is discontinuous
+    int *corner;                         // [element_count, dimension + 1] nodes
+    uint8_t *layer;                      // [element_count] 1 where the field is prescribed
+    uint8_t *rough;                      // [element_count] 1 where a mixed space is discontinuous
+    char generator[PDMC_GENERATOR_SIZE]; // what made or read it, "Gmsh 4.8.4"; "" where it was pdmc itself
 } pdmc_mesh;
 
 /// A box with its middle at the origin, in equal cells, and round it a layer in cells no longer than those. In two
@@ -41,11 +44,72 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_rectangle(int columns, const doubl
 /// @return PDMC_OK or PDMC_ERR_NOMEM, after which the mesh is as it was
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_cut(pdmc_mesh *mesh, const double from[2], const double to[2]);
 
+/// A round hole.
+typedef struct {
+    double centre[2], radius;
+} pdmc_hole;
+
+/// A straight crack; an end may lie on a side of the plate.
+typedef struct {
+    double from[2], to[2];
+} pdmc_slit;
+
+/// A rectangle with its middle at the origin. Holes lie inside and apart from each other, cracks inside, apart from each
+/// other and from holes.
+typedef struct {
+    double width, height;
+    double layer;              // width of the layer round the rectangle and inside its holes; 0 for none
+    double spacing;            // length of edges, about
+    double fine_spacing, near; // ... within `near` of holes and cracks; from there it grows by a quarter of the way
+    int hole_count, slit_count;
+    const pdmc_hole *holes;
+    const pdmc_slit *slits;
+} pdmc_mesh_plate;
+
+/// The plate in triangles, by Gmsh: the same on every machine that has the same version of it. The circle of a hole becomes
+/// a polygon. Edges follow the cracks, whose nodes are double but for the tips inside.
+/// @param[out] mesh  free with pdmc_mesh_clear(); zero on failure
+/// @return PDMC_OK, PDMC_ERR_ARG, PDMC_ERR_EXTERN (Gmsh failed, or could not be loaded), or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_triangles(const pdmc_mesh_plate *plate, pdmc_mesh *mesh);
+
+/// Reads a file of Gmsh (.msh, of any version that Gmsh reads): its tetrahedra, or its triangles where it has none. Nodes of
+/// no element are left out. What lies in the physical group "layer" is marked as layer.
+/// @param[in]  dimension  2 or 3, which the file must have
+/// @param[out] mesh       free with pdmc_mesh_clear(); zero on failure
+/// @return PDMC_OK, PDMC_ERR_NO_INPUT (no such file), PDMC_ERR_DATA (it is no mesh of simplices, or not of this dimension; has
+/// an element without extent; is not in the plane of x and y), PDMC_ERR_EXTERN (Gmsh could not be loaded), or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_read(const char *path, int dimension, pdmc_mesh *mesh);
+
+/// Splits each triangle into four by the middles of its edges.
+/// @param[out] finer  free with pdmc_mesh_clear(); zero on failure
+/// @return PDMC_OK, PDMC_ERR_ARG (no triangles, or too many), or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_refine(const pdmc_mesh *mesh, pdmc_mesh *finer);
+
+/// Marks as layer the triangles nearer to the edge of the mesh than `width`.
+/// @return PDMC_OK, PDMC_ERR_ARG (no triangles; nothing is left outside the layer), or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_mark_layer(pdmc_mesh *mesh, double width);
+
+/// The distance between the triangles that are not in the layer and the edge of the mesh.
+/// @return PDMC_OK, PDMC_ERR_ARG (no triangles), or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_layer_width(const pdmc_mesh *mesh, double *width);
+
+/// Length, area or volume of an element.
+PDMC_API double pdmc_mesh_extent(const pdmc_mesh *mesh, int element);
+
+/// How the body is shared out among the nodes: each element equally among its corners; or each point of the body to the
+/// nearest node, in Voronoi cells that end at the surface of the body.
+typedef enum { PDMC_SHARE_ELEMENTS, PDMC_SHARE_VORONOI } pdmc_share;
+
+/// Area or volume of the body that each node has; together they are the body's.
+/// @param[out] volume  [node_count]
+/// @return PDMC_OK, PDMC_ERR_ARG (intervals), or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_node_volumes(const pdmc_mesh *mesh, pdmc_share share, double volume[]);
+
 /// Marks as rough the elements whose middle lies in a box.
 PDMC_API void pdmc_mesh_mark_rough(pdmc_mesh *mesh, const double from[], const double to[]);
 
 /// A zeroed mesh is allowed.
 PDMC_API void pdmc_mesh_clear(pdmc_mesh *mesh);
 
-/// The longest edge.
+/// The longest edge of intervals or triangles.
 PDMC_API double pdmc_mesh_spacing(const pdmc_mesh *mesh);
