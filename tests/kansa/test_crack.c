@@ -28,7 +28,7 @@ static void stress_intensity_of_a_central_crack(void **state)
                                 {0.02, 0.02, 0.03, 0.05, 0.07},
                                 {0.01, 0.01, 0.005, 0.02, 0.03}};
     printf("  error of K_I in %%, central crack, a = 0.1, 0.25, 0.5, 0.75, 1.0\n");
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4 - 2 * FINEST_LEFT_OUT; i++) {
         printf("  %3d nodes:", (cells[i] + 1) * (cells[i] + 1));
         for (int k = 0; k < 5; k++) {
             reference exact;

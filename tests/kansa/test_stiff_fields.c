@@ -34,7 +34,7 @@ static void energies_agree_with_finite_elements(void **state)
     pdmc_field_functional release[2];
     stiff_plate_make(&s, 12, 0.0, 2);
     for (int tip = 0; tip < 2; tip++) CHECK_OK(pdmc_kansa_release_sensitivity(s.kansa, tip, 0.25, &release[tip]));
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4 - 3 * FINEST_LEFT_OUT; k++) {
         const comparison *c = &comparisons[k];
         const given_moduli given = {1, c->modulus, {c->context}};
         const finite_element_plate elements = {

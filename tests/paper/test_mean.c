@@ -186,6 +186,7 @@ static void the_error_of_K_does_not_fall(void **state)
     (void)state;
     reference exact;
     reference_solve(&exact, 5.0, 0.5, 0.0);
+    enum { HORIZONS = FINEST_LEFT_OUT ? 1 : 3 };
     const double horizons[3] = {0.1, 0.5, 1.0};
     double worst[6] = {0}; // of the two finest grids
     printf("  central crack a = 0.5, W = 5, psi = 0.16 h, e = delta / 5; error of K_I in %% (elongation, 1.06 is "
@@ -195,7 +196,7 @@ static void the_error_of_K_does_not_fall(void **state)
     printf("        | tip functions  none         | tip functions  none         | tip functions  none         |\n");
     for (int cells = 8; cells <= 20 - 4 * FINEST_LEFT_OUT; cells += 4) {
         printf("  %5d |", (cells + 1) * (cells + 1));
-        for (int d = 0; d < 3; d++) {
+        for (int d = 0; d < HORIZONS; d++) {
             for (int none = 0; none < 2; none++) {
                 double strain;
                 const double error = error_of_K(cells, horizons[d], !none, exact.K[0], &strain);
@@ -208,7 +209,7 @@ static void the_error_of_K_does_not_fall(void **state)
         printf(" %+.2f\n", analytic);
         if (cells >= 16) assert_true(fabs(analytic) < 0.1);
     }
-    for (int k = 0; k < 6; k++) assert_true(worst[k] > 10.0);
+    for (int k = 0; k < 2 * HORIZONS; k++) assert_true(worst[k] > 10.0);
 }
 
 static void refusal_of_memory(void **state)
