@@ -45,6 +45,9 @@ PDMC_NODISCARD pdmc_status pdmc_particles_start(pdmc_particles *particles);
 /// The forces of bonds and of neighbours' repulsion. @param[in] unbreakable  whether no bond breaks now
 void pdmc_particles_find_bond_forces(pdmc_particles *particles, bool unbreakable);
 
+/// The forces of bonds, of contact and of spheres. @param[in] unbreakable  as above
+PDMC_NODISCARD pdmc_status pdmc_particles_find_inner_forces(pdmc_particles *particles, bool unbreakable);
+
 /// A node's velocity at the time, between the half steps: v - step / 2 times the acceleration.
 double pdmc_particles_velocity_at(const pdmc_particles *particles, const pdmc_block *block, int axis, size_t cell);
 
