@@ -34,6 +34,7 @@ typedef struct {
 
 typedef struct {
     pdmc_rigid_sphere sphere;
+    double displacement[PDMC_AXES]; // at the last load of a quasi-static study
     bool has_mass; // otherwise it keeps its velocity
 } pdmc_explicit_sphere;
 

@@ -216,9 +216,9 @@ typedef struct {
 
 /// Brings the bodies to rest under their conditions at a load, instead of moving them: dynamic relaxation while no bond breaks;
 /// then all that are stretched beyond s_0 break, and so on until none does. Displacements and forces are those of their
-/// histories at the time `load`; a rigid sphere is where its velocity would have brought it by then. Work is that of external forces between states of rest, by the trapezoidal rule; what
-/// is lost where bonds break at a load is dissipated, and the rest of the work is elastic or in the bonds that broke: a
-/// balance of the second order in the loads' steps.
+/// histories at the time `load`; a rigid sphere is where its velocity would have brought it by then. Work is that of external
+/// forces between states of rest, by the trapezoidal rule; what is lost where bonds break at a load is dissipated, and the
+/// rest of the work is elastic, in contact, or in the bonds that broke: a balance of the second order in the loads' steps.
 /// @param[in]  load  the first is best one without force; pdmc_particles_time() is the last one
 /// @param[out] rest  also of a failure
 /// @return PDMC_OK; PDMC_ERR_ARG where bodies have moved, a velocity is prescribed, or a sphere has a mass; PDMC_ERR_SINGULAR with

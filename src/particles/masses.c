@@ -9,7 +9,7 @@
 static const double mass_margin = 1.21;
 
 // Of the spacing: more makes masses larger where nodes are near each other, less has them found more often.
-static const double reach_share = 0.05;
+static const double reach_share = 0.02;
 
 double pdmc_masses_reach(const pdmc_particles *p)
 {
@@ -39,8 +39,7 @@ static double find_apart(double *const x[PDMC_AXES], size_t from, size_t to, dou
 static void add_bond(const pdmc_particles *p, const pdmc_block *block, size_t c, size_t other, double row[PDMC_AXES])
 {
     const pdmc_nodes *g = &p->nodes;
-    const double micromodulus =
-        pdmc_variation_micromodulus(&p->variation, g, &p->laws[block->material], c, other);
+    const double micromodulus = pdmc_variation_micromodulus(&p->variation, g, &p->laws[block->material], c, other);
     double apart[PDMC_AXES];
     find_apart(p->linear ? g->reference : p->position, c, other, apart);
     add_row(2.0 * micromodulus * pdmc_nodes_weight(g, c, other) * g->volume[c] / pdmc_nodes_length(g, c, other), apart,

@@ -350,8 +350,8 @@ static pdmc_status check(const pdmc_particles *p, const pdmc_rest_options *optio
     PDMC_REQUIRE(options->tolerance > 0.0 && options->most_steps > 0, "rest: tolerance and steps need to be > 0");
     PDMC_REQUIRE(p->steps == 0, "rest: the bodies have moved already");
     for (int s = 0; s < p->sphere_count; s++)
-        PDMC_REQUIRE(isinf(p->spheres[s].mass), "rest: spheres[%d] has a mass, only one that is moved has a place at rest",
-                     s);
+        PDMC_REQUIRE(isinf(p->spheres[s].mass),
+                     "rest: spheres[%d] has a mass, only one that is moved has a place at rest", s);
     for (int k = 0; k < p->layer_count; k++)
         PDMC_REQUIRE(p->layers[k].condition.kind != PDMC_CONDITION_VELOCITY, "rest: conditions[%d] is a velocity", k);
     return PDMC_OK;

@@ -165,6 +165,18 @@ static pdmc_layer_condition condition_of(const pdmc_explicit *p, const pdmc_expl
     return layer;
 }
 
+// At rest a sphere's velocity is its way in a unit of the load.
+static pdmc_rigid_sphere sphere_of(const pdmc_explicit *p, const pdmc_explicit_sphere *s,
+                                   const pdmc_explicit_sample *sample)
+{
+    pdmc_rigid_sphere sphere = s->sphere;
+    for (int k = 0; k < PDMC_AXES; k++)
+        sphere.velocity[k] = p->load_steps > 0 ? s->displacement[k] / p->load_ends[1] * sample->load
+                                               : s->sphere.velocity[k] * sample->velocity;
+    if (!s->has_mass) sphere.mass = INFINITY;
+    return sphere;
+}
+
 static pdmc_status fill_lists(const pdmc_explicit *p, const pdmc_explicit_sample *sample, lists *l)
 {
     pdmc_status status = PDMC_OK;
@@ -178,11 +190,7 @@ static pdmc_status fill_lists(const pdmc_explicit *p, const pdmc_explicit_sample
         l->bodies[i] = p->bodies[i].body;
         for (int k = 0; k < PDMC_AXES; k++) l->bodies[i].velocity[k] *= sample->velocity;
     }
-    for (int i = 0; i < p->sphere_count; i++) {
-        l->spheres[i] = p->spheres[i].sphere;
-        for (int k = 0; k < PDMC_AXES; k++) l->spheres[i].velocity[k] *= sample->velocity;
-        if (!p->spheres[i].has_mass) l->spheres[i].mass = INFINITY;
-    }
+    for (int i = 0; i < p->sphere_count; i++) l->spheres[i] = sphere_of(p, &p->spheres[i], sample);
 done:
     return status;
 }

@@ -112,7 +112,7 @@ static void memory(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(adapts),
-        cmocka_unit_test(stiffest_mode), cmocka_unit_test(failures), cmocka_unit_test(memory)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(adapts), cmocka_unit_test(stiffest_mode),
+                                       cmocka_unit_test(failures), cmocka_unit_test(memory)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

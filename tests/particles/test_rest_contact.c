@@ -165,9 +165,7 @@ static void press_blocks(int threads, pressed *result)
     s.options.spheres = &sphere;
     pdmc_particles *p = create(&s);
     double floor_force[3], displacement[3];
-    for (int i = 0; i <= 2; i++) {
-        result->steps += rest_at(p, 0.5 * i, 1e-5).steps;
-    }
+    for (int i = 0; i <= 2; i++) { result->steps += rest_at(p, 0.5 * i, 1e-5).steps; }
     pdmc_particles_state(p, result->u, NULL, NULL);
     pdmc_particles_sphere_forces(p, result->force);
     pdmc_particles_conditions(p, floor_force, displacement);

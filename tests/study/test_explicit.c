@@ -453,6 +453,7 @@ static const char slow[] =
     "bodies = ( { from = [0, 0]; to = [8, 8]; } );\n"
     "conditions = ( { prescribed = \"displacement\"; from = [0, 0]; to = [8, 1]; y = 0; },\n"
     "               { prescribed = \"force\"; from = [0, 7]; to = [8, 8]; y = 1; times = [0, 3]; factors = [0, 2]; } );\n"
+    "spheres = ( { radius = 2; centre = [4, 10]; displacement = [0.0, -0.25]; stiffness = 5; } );\n"
     "loading = { steps = 7; end = 3.0; tolerance = 1e-5; most_steps = 500; }; record = { snapshots = 4; };\n";
 
 static void loads_are_read(void **state)
@@ -467,7 +468,9 @@ static void loads_are_read(void **state)
     CHECK_NEAR(m->load_ends[1], 3.0, 0.0);
     CHECK_NEAR(m->rest_tolerance, 1e-5, 0.0);
     assert_int_equal(m->most_relaxation_steps, 500);
-    CHECK_NEAR(m->contact_distance, 0.0, 0.0);
+    CHECK_NEAR(m->contact_distance, 1.35, 0.0);
+    assert_int_equal(m->sphere_count, 1);
+    CHECK_NEAR(m->spheres[0].displacement[1], -0.25, 0.0);
     assert_int_equal(m->snapshots, 4);
     assert_false(m->has_interval || m->has_speed_window || m->has_step);
     CHECK_OK(read_text(first.resolved, &second));
@@ -489,9 +492,9 @@ static void what_moves_is_not_at_rest(void **state)
          "study.cfg:4: conditions[0].prescribed: \"velocity\" is not allowed in a quasi-static study, must be \"displacement\" or "
          "\"force\""},
         {"time = { duration = 1; };", "study.cfg:4: time: is not part of a study of kind \"quasi_static\""},
-        {"spheres = ( );", "study.cfg:4: spheres: is not part of a study of kind \"quasi_static\""},
+        {"spheres = ( { radius = 1; centre = [0, 0]; stiffness = 1; velocity = [1, 0]; } );", "study.cfg:4: spheres[0].velocity: is no setting of a study of kind \"quasi_static\""},
+        {"spheres = ( { radius = 1; centre = [0, 0]; stiffness = 1; mass = 1; } );", "study.cfg:4: spheres[0].mass: is no setting of a study of kind \"quasi_static\""},
         {"damping = { absolute = 1; };", "study.cfg:4: damping: is not part of a study of kind \"quasi_static\""},
-        {"contact = { distance = 1; };", "study.cfg:4: contact: is not part of a study of kind \"quasi_static\""},
         {"loading = { steps = 0; };", "study.cfg:4: loading.steps: 0 is not allowed, must be from 1 to 1000000"},
         {"loading = { tolerance = 0.0; };",
          "study.cfg:4: loading.tolerance: 0.0 is not allowed, must be > 0 and <= 0.1"},
