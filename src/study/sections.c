@@ -58,8 +58,12 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
                                     .check = pdmc_study_check_particle_materials},
     [SECTION_BODIES] = {.name = "bodies", OF_BODIES,
                         .doc = "of bodies of bonds: list of what is held together by bonds; they may touch, but not "
-                               "overlap",
+                               "overlap, and one that is inside another is a part of that",
                         PARTICLE_LIST(pdmc_explicit_body, bodies, body_count), .check = pdmc_study_check_bodies},
+    [SECTION_INTERFACES] = {.name = "interfaces", OF_BODIES, .check = pdmc_study_check_interfaces,
+                            .doc = "of bodies of bonds: list of bonds between two materials of a body with its parts, or between "
+                                   "two bodies, which without it have none; one of bodies goes before one of materials",
+                            PARTICLE_LIST(pdmc_explicit_interface, interfaces, interface_count)},
     [SECTION_PLANAR_CRACKS] = {.name = "cracks", OF_BODIES,
                                .doc = "of bodies of bonds: list of surfaces whose bonds are broken at the start; the "
                                       "tips of a segment, <name>.from and .to, are followed",
