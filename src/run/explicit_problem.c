@@ -114,8 +114,7 @@ static double least_stable_step(const pdmc_explicit *p, const neighbour_sums *su
         fibres = fmax(fibres, fibres_stiffen(p, &p->materials[i]));
     }
     for (int i = 0; i < p->interface_count; i++)
-        if (has_modulus(&p->interfaces[i].bonds))
-            stiffest = fmax(stiffest, micromodulus(p, &p->interfaces[i].bonds));
+        if (has_modulus(&p->interfaces[i].bonds)) stiffest = fmax(stiffest, micromodulus(p, &p->interfaces[i].bonds));
     return step_of(p, sums, stiffest / lightest, fibres);
 }
 
