@@ -30,6 +30,10 @@ typedef struct {
 /// integrals as the spacing falls); or that share, but nothing beyond the horizon, as others do it.
 typedef enum { PDMC_VOLUME_WHOLE, PDMC_VOLUME_PARTIAL, PDMC_VOLUME_TAPERED } pdmc_volume_rule;
 
+/// In which bonds are computed. Single: from displacements that are rounded to it, with forces of that precision; positions,
+/// velocities, what acts on nodes, and all energies but those of bonds as they break stay in double precision.
+typedef enum { PDMC_PRECISION_DOUBLE, PDMC_PRECISION_SINGLE } pdmc_precision;
+
 /// Nodes: the body has nodes of its own, wherever they are.
 typedef enum { PDMC_SHAPE_BOX, PDMC_SHAPE_CYLINDER, PDMC_SHAPE_BALL, PDMC_SHAPE_NODES } pdmc_shape_kind;
 
@@ -135,6 +139,7 @@ typedef struct {
         bond_damping; // c_v of a bond's force c (s + c_v ds), ds the rate by which its ends part (eq. 3.64, along the bond)
     double step;      // of time; 0: `safety` times the stable one
     double safety;
+    pdmc_precision precision;
     int threads; // no result depends on them
 } pdmc_particles_options;
 
@@ -216,12 +221,12 @@ typedef struct {
 
 /// Brings the bodies to rest under their conditions at a load, instead of moving them: dynamic relaxation while no bond breaks;
 /// then all that are stretched beyond s_0 break, and so on until none does. Displacements and forces are those of their
-/// histories at the time `load`; a rigid sphere is where its velocity would have brought it by then. Work is that of external
-/// forces between states of rest, by the trapezoidal rule; what is lost where bonds break at a load is dissipated, and the
-/// rest of the work is elastic, in contact, or in the bonds that broke: a balance of the second order in the loads' steps.
+/// histories at the time `load`. Work is that of external forces between states of rest, by the trapezoidal rule; what
+/// is lost where bonds break at a load is dissipated, and the rest of the work is elastic or in the bonds that broke: a
+/// balance of the second order in the loads' steps.
 /// @param[in]  load  the first is best one without force; pdmc_particles_time() is the last one
 /// @param[out] rest  also of a failure
-/// @return PDMC_OK; PDMC_ERR_ARG where bodies have moved, a velocity is prescribed, or a sphere has a mass; PDMC_ERR_SINGULAR with
+/// @return PDMC_OK; PDMC_ERR_ARG where bodies have moved, or there are velocities, spheres or contact; PDMC_ERR_SINGULAR with
 ///         load and residual where a relaxation does not end, or a force acts on a node without bonds; PDMC_ERR_INTERRUPTED;
 ///         PDMC_ERR_NOMEM. After a failure the state is that of an unfinished relaxation.
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_particles_come_to_rest(pdmc_particles *particles, double load,
@@ -233,6 +238,12 @@ PDMC_API size_t pdmc_particles_bond_bytes(const pdmc_particles *particles); // o
 PDMC_API double pdmc_particles_time(const pdmc_particles *particles);
 PDMC_API int pdmc_particles_steps(const pdmc_particles *particles);
 PDMC_API pdmc_particles_sums pdmc_particles_sum(const pdmc_particles *particles);
+
+/// What single precision does to the forces: those of bonds and of neighbours' repulsion in the present state, in both precisions.
+/// @param[out] difference  the largest of a node, over the largest force of a node in double precision; 0 where
+///                         nothing is displaced
+/// @return PDMC_OK; PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_particles_precision(pdmc_particles *particles, double *difference);
 
 /// Values at the nodes, in the order x fastest, then y, then z.
 /// @param[out] x          [count, 3] in the reference configuration
@@ -264,8 +275,5 @@ PDMC_API void pdmc_particles_fragments(const pdmc_particles *particles, const in
 /// the mean of the nodes' displacements. @param[out] force displacement  [condition_count, 3]
 PDMC_API void pdmc_particles_conditions(const pdmc_particles *particles, double force[], double displacement[]);
 
-/// The rigid spheres as they are now; their velocities at rest are zero. @param[out] spheres  [sphere_count]
+/// The rigid spheres as they are now. @param[out] spheres  [sphere_count]
 PDMC_API void pdmc_particles_spheres(const pdmc_particles *particles, pdmc_rigid_sphere spheres[]);
-
-/// By which the nodes push the spheres. @param[out] force  [sphere_count, 3]
-PDMC_API void pdmc_particles_sphere_forces(const pdmc_particles *particles, double force[]);

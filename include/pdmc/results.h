@@ -181,6 +181,8 @@ typedef struct {
     double *time, *kinetic, *elastic, *contact, *fracture, *work;        // [N]
     double *dissipated;                                                  // [N] by damping, or where bonds broke at rest
     double *residual, *relaxation_steps, *breakages; // [N] of the loads of a quasi-static study, whose `time` is the load
+    int compared_count;  // N in single precision, 0 in double precision
+    double *force_error; // [compared_count] largest difference to forces in double precision, over the largest force
     double *momentum;                                                    // [N, 3] force time
     double *mean_damage, *broken;                                        // [N] broken: bonds, as numbers of the file
     double *fragments, *loose_nodes;                                     // [N] pieces of two nodes or more; single nodes
@@ -193,7 +195,6 @@ typedef struct {
     int sphere_count;                                                    // S
     pdmc_sphere_record *spheres;                                         // [S]
     double *sphere_centre, *sphere_velocity;                             // [N, S, 3]
-    double *sphere_force;                                                // [N, S, 3] of the nodes on it
 
     int condition_count;              // C
     pdmc_condition_record *conditions; // [C]

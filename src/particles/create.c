@@ -107,7 +107,9 @@ static void start_nodes(const pdmc_particles_options *o, pdmc_particles *p)
         for (unsigned left = block->nodes; left; left &= left - 1) {
             const size_t c = block->cell + (size_t)__builtin_ctz(left);
             for (int a = 0; a < o->dimension; a++) p->velocity[a][c] = body->velocity[a];
-            p->strength[c] = p->next_strength[c] = first ? first[c] : p->laws[block->material].critical_stretch;
+            const double s_0 = first ? first[c] : p->laws[block->material].critical_stretch;
+            p->strength[c] = p->next_strength[c] = s_0;
+            if (p->is_single) p->single.strength[c] = p->single.next_strength[c] = (float)s_0;
         }
     }
 }
@@ -185,7 +187,9 @@ static pdmc_status create(const pdmc_particles_options *o, pdmc_particles *p)
         PDMC_TRY(pdmc_layer_create(&o->conditions[c], &p->nodes, p->density, &p->layers[c]));
         if (p->layers[c].count == 0) PDMC_FAIL(PDMC_ERR_ARG, "conditions[%d]: holds no node", c);
     }
-    p->kernel = pdmc_forces_choose(&p->kernel_name);
+    p->kernels = pdmc_forces_choose();
+    p->is_single = o->precision == PDMC_PRECISION_SINGLE;
+    if (p->is_single) PDMC_TRY(pdmc_single_create(&p->nodes, p->variation.stiffness, &p->single));
     hold_nodes(p);
     start_nodes(o, p);
     start_spheres(o, p);
@@ -219,6 +223,7 @@ void pdmc_particles_destroy(pdmc_particles *p)
     pdmc_damping_clear(&p->damping);
     pdmc_rest_clear(&p->rest);
     pdmc_variation_clear(&p->variation);
+    pdmc_single_clear(&p->single);
     for (int k = 0; k < p->layer_count; k++) pdmc_layer_clear(&p->layers[k]);
     for (int a = 0; a < PDMC_AXES; a++) {
         pdmc_free(p->position[a]);

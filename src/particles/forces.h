@@ -9,6 +9,7 @@
 #include "particles/hash.h"
 #include "particles/joints.h"
 #include "particles/nodes.h"
+#include "particles/single.h"
 
 typedef struct {
     const pdmc_nodes *nodes;
@@ -21,6 +22,7 @@ typedef struct {
     bool by_node;                      // whether s_0 differs between nodes for another reason than strengthening
     const double *position[PDMC_AXES]; // [cells]
     const double *velocity[PDMC_AXES]; // [cells] half a step before
+    const pdmc_single *single;         // instead of positions, stiffness and strengths, for kernels of single precision
     double step;                       // of time
     const double *stiffness;           // [cells] factors of c, whose mean of two nodes is that of their bond; NULL: 1
     const double *first_strength;      // [cells] s_0 without strengthening; NULL: that of the laws
@@ -36,11 +38,17 @@ typedef struct {
 /// Computes the forces of blocks first .. last - 1, and breaks the bonds that are stretched beyond s_0: from the next step on.
 typedef void pdmc_forces_kernel(const pdmc_forces *forces, int first, int last);
 
-pdmc_forces_kernel pdmc_forces_portable;
+pdmc_forces_kernel pdmc_forces_portable, pdmc_forces_portable_single;
 #ifdef PDMC_HAVE_X86
-pdmc_forces_kernel pdmc_forces_avx2;
-pdmc_forces_kernel pdmc_forces_avx512;
+pdmc_forces_kernel pdmc_forces_avx2, pdmc_forces_avx2_single;
+pdmc_forces_kernel pdmc_forces_avx512, pdmc_forces_avx512_single;
 #endif
 
-/// The fastest kernel of this machine. @param[out] name  of it
-pdmc_forces_kernel *pdmc_forces_choose(const char **name);
+/// The kernels of a kind of processor.
+typedef struct {
+    const char *name;
+    pdmc_forces_kernel *in_double, *in_single;
+} pdmc_forces_kernels;
+
+/// The fastest kernels of this machine.
+pdmc_forces_kernels pdmc_forces_choose(void);

@@ -2,4 +2,5 @@
 #define KERNEL pdmc_forces_avx2
 #include "particles/lanes_avx2.h"
 
+#include "particles/by_position.h"
 #include "particles/forces_kernel.h"

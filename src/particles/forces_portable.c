@@ -2,4 +2,5 @@
 #define KERNEL pdmc_forces_portable
 #include "particles/lanes_portable.h"
 
+#include "particles/by_position.h"
 #include "particles/forces_kernel.h"

@@ -5,6 +5,7 @@
 
 #include "particles/hash_avx2.h"
 
+typedef double real;
 typedef struct {
     __m256d low, high;
 } lanes;
@@ -16,6 +17,10 @@ static inline lanes lanes_of(double x)
 static inline lanes load(const double *p)
 {
     return (lanes){_mm256_loadu_pd(p), _mm256_loadu_pd(p + 4)};
+}
+static inline lanes load_double(const double *p)
+{
+    return load(p);
 }
 static inline lanes add(lanes a, lanes b)
 {
@@ -36,6 +41,11 @@ static inline lanes divide(lanes a, lanes b)
 static inline lanes multiply_add(lanes a, lanes b, lanes c)
 {
     return (lanes){_mm256_fmadd_pd(a.low, b.low, c.low), _mm256_fmadd_pd(a.high, b.high, c.high)};
+}
+/// c - a b
+static inline lanes subtract_product(lanes c, lanes a, lanes b)
+{
+    return (lanes){_mm256_fnmadd_pd(a.low, b.low, c.low), _mm256_fnmadd_pd(a.high, b.high, c.high)};
 }
 
 static inline lanes greatest(lanes a, lanes b)
@@ -107,6 +117,16 @@ static inline void store_where(uint8_t mask, double *p, lanes a)
 {
     _mm256_maskstore_pd(p, mask_of(mask), a.low);
     _mm256_maskstore_pd(p + 4, mask_of(mask >> 4), a.high);
+}
+/// p = factor a.
+static inline void put_where(uint8_t mask, double *p, double factor, lanes a)
+{
+    store_where(mask, p, multiply(lanes_of(factor), a));
+}
+/// p += factor a.
+static inline void add_where(uint8_t mask, double *p, double factor, lanes a)
+{
+    store_where(mask, p, multiply_add(lanes_of(factor), a, load(p)));
 }
 static inline double sum_where(uint8_t mask, lanes a)
 {

@@ -5,6 +5,7 @@
 
 #include "particles/hash_avx2.h"
 
+typedef double real;
 typedef __m512d lanes;
 
 static inline lanes lanes_of(double x)
@@ -14,6 +15,10 @@ static inline lanes lanes_of(double x)
 static inline lanes load(const double *p)
 {
     return _mm512_loadu_pd(p);
+}
+static inline lanes load_double(const double *p)
+{
+    return load(p);
 }
 static inline lanes add(lanes a, lanes b)
 {
@@ -34,6 +39,11 @@ static inline lanes divide(lanes a, lanes b)
 static inline lanes multiply_add(lanes a, lanes b, lanes c)
 {
     return _mm512_fmadd_pd(a, b, c);
+}
+/// c - a b
+static inline lanes subtract_product(lanes c, lanes a, lanes b)
+{
+    return _mm512_fnmadd_pd(a, b, c);
 }
 static inline lanes greatest(lanes a, lanes b)
 {
@@ -76,6 +86,16 @@ static inline lanes least_where(uint8_t mask, lanes a, lanes b)
 static inline void store_where(uint8_t mask, double *p, lanes a)
 {
     _mm512_mask_storeu_pd(p, mask, a);
+}
+/// p = factor a.
+static inline void put_where(uint8_t mask, double *p, double factor, lanes a)
+{
+    store_where(mask, p, multiply(lanes_of(factor), a));
+}
+/// p += factor a.
+static inline void add_where(uint8_t mask, double *p, double factor, lanes a)
+{
+    store_where(mask, p, multiply_add(lanes_of(factor), a, load(p)));
 }
 static inline double sum_where(uint8_t mask, lanes a)
 {

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+typedef double real;
 typedef double duo __attribute__((vector_size(16)));
 typedef int64_t duo_mask __attribute__((vector_size(16))); // all bits or none
 
@@ -42,6 +43,10 @@ static inline lanes load(const double *p)
     memcpy(&out, p, sizeof out);
     return out;
 }
+static inline lanes load_double(const double *p)
+{
+    return load(p);
+}
 static inline lanes add(lanes a, lanes b)
 {
 #define OF(k) (a.at[k] + b.at[k])
@@ -71,6 +76,11 @@ static inline lanes multiply_add(lanes a, lanes b, lanes c)
 #define OF(k) (a.at[k] * b.at[k] + c.at[k])
     return EACH(OF);
 #undef OF
+}
+/// c - a b
+static inline lanes subtract_product(lanes c, lanes a, lanes b)
+{
+    return subtract(c, multiply(a, b));
 }
 static inline lanes greatest(lanes a, lanes b)
 {
@@ -138,6 +148,16 @@ static inline void store_where(uint8_t mask, double *p, lanes a)
 {
     for (int k = 0; k < 8; k++)
         if (mask >> k & 1) p[k] = EIGHTH(a, k);
+}
+/// p = factor a.
+static inline void put_where(uint8_t mask, double *p, double factor, lanes a)
+{
+    store_where(mask, p, multiply(lanes_of(factor), a));
+}
+/// p += factor a.
+static inline void add_where(uint8_t mask, double *p, double factor, lanes a)
+{
+    store_where(mask, p, multiply_add(lanes_of(factor), a, load(p)));
 }
 
 static inline double sum_where(uint8_t mask, lanes a)

@@ -6,14 +6,14 @@
 #include <math.h>
 
 /// Calls the kernel for shares of the blocks that have about as many bonds.
-static void run_kernel(const pdmc_particles *p, const pdmc_forces *forces)
+static void run_kernel(const pdmc_particles *p, pdmc_forces_kernel *kernel, const pdmc_forces *forces)
 {
     enum { CHUNK = 64 }; // blocks: small enough for the threads to end together
     const int chunks = (p->nodes.block_count + CHUNK - 1) / CHUNK;
 #pragma omp parallel for num_threads(p->threads) schedule(dynamic)
     for (int c = 0; c < chunks; c++) {
         const int last = CHUNK * (c + 1) < p->nodes.block_count ? CHUNK * (c + 1) : p->nodes.block_count;
-        p->kernel(forces, CHUNK * c, last);
+        kernel(forces, CHUNK * c, last);
     }
 }
 
@@ -22,6 +22,7 @@ static pdmc_forces forces_of(const pdmc_particles *p)
     pdmc_forces forces = {.nodes = &p->nodes,
                           .laws = p->laws,
                           .joints = &p->variation.joints,
+                          .single = &p->single,
                           .repulsion = p->repulsion,
                           .step = p->step,
                           .linear = p->linear,
@@ -47,7 +48,7 @@ void pdmc_particles_find_energies(const pdmc_particles *p)
 {
     pdmc_forces forces = forces_of(p);
     forces.energies = true;
-    run_kernel(p, &forces);
+    run_kernel(p, p->kernels.in_double, &forces);
 }
 
 static void meet_spheres(pdmc_particles *p)
@@ -57,14 +58,36 @@ static void meet_spheres(pdmc_particles *p)
                                                &p->sphere_force[PDMC_AXES * s]);
 }
 
+static void follow(pdmc_particles *p)
+{
+#pragma omp parallel for num_threads(p->threads) schedule(static)
+    for (int b = 0; b < p->nodes.block_count; b++)
+        pdmc_single_follow(&p->single, &p->nodes, &p->nodes.blocks[b], p->position);
+}
+
+static void strengthen(pdmc_particles *p)
+{
+    double *strength = p->strength;
+    p->strength = p->next_strength;
+    p->next_strength = strength;
+}
+
 void pdmc_particles_find_bond_forces(pdmc_particles *p, bool unbreakable)
 {
     pdmc_forces forces = forces_of(p);
     forces.unbreakable = unbreakable;
-    run_kernel(p, &forces);
-    double *strength = p->strength;
-    p->strength = p->next_strength;
-    p->next_strength = strength;
+    if (p->is_single) follow(p);
+    run_kernel(p, p->is_single ? p->kernels.in_single : p->kernels.in_double, &forces);
+    if (p->is_single) pdmc_single_strengthen(&p->single);
+    else strengthen(p);
+}
+
+void pdmc_particles_find_forces_in(const pdmc_particles *p, pdmc_precision precision, double *const force[PDMC_AXES])
+{
+    pdmc_forces forces = forces_of(p);
+    forces.unbreakable = true;
+    for (int a = 0; a < PDMC_AXES; a++) forces.force[a] = force[a];
+    run_kernel(p, precision == PDMC_PRECISION_SINGLE ? p->kernels.in_single : p->kernels.in_double, &forces);
 }
 
 /// y += factor x for a block's nodes. Empty cells hold zeros in x, so that they need no care where no other body is.
@@ -215,22 +238,15 @@ static pdmc_layer_motion motion_of_layers(const pdmc_particles *p)
     return motion;
 }
 
-pdmc_status pdmc_particles_find_inner_forces(pdmc_particles *p, bool unbreakable)
-{
-    pdmc_particles_find_bond_forces(p, unbreakable);
-    const pdmc_status status = pdmc_contact_update(&p->contact, &p->nodes, p->position, p->threads);
-    if (status != PDMC_OK) return status;
-    pdmc_contact_add(&p->contact, &p->nodes, p->position, p->threads, p->force);
-    meet_spheres(p);
-    return PDMC_OK;
-}
-
 /// All forces at the time but those of damping and of what holds nodes.
 static pdmc_status find_forces(pdmc_particles *p)
 {
-    const pdmc_status status = pdmc_particles_find_inner_forces(p, false);
-    if (status != PDMC_OK) return status;
     const pdmc_layer_motion motion = motion_of_layers(p);
+    pdmc_particles_find_bond_forces(p, false);
+    pdmc_status status = pdmc_contact_update(&p->contact, &p->nodes, p->position, p->threads);
+    if (status != PDMC_OK) return status;
+    pdmc_contact_add(&p->contact, &p->nodes, p->position, p->threads, p->force);
+    meet_spheres(p);
     for (int k = 0; k < p->layer_count; k++)
         if (!pdmc_layer_holds(&p->layers[k])) pdmc_layer_push(&p->layers[k], &p->nodes, &motion);
     return PDMC_OK;

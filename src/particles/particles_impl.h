@@ -17,8 +17,9 @@ struct pdmc_particles {
     double *density;     // [materials]
     pdmc_bond_law *laws; // [materials]
     pdmc_variation variation;
-    pdmc_forces_kernel *kernel;
-    const char *kernel_name;
+    pdmc_forces_kernels kernels;
+    bool is_single;     // whether bonds are computed in single precision
+    pdmc_single single; // ... from these
     double *position[PDMC_AXES], *force[PDMC_AXES]; // [cells] at the time
     double *velocity[PDMC_AXES];                    // [cells] half a step after it
     double *strength, *next_strength;               // [cells] s_0
@@ -45,8 +46,9 @@ PDMC_NODISCARD pdmc_status pdmc_particles_start(pdmc_particles *particles);
 /// The forces of bonds and of neighbours' repulsion. @param[in] unbreakable  whether no bond breaks now
 void pdmc_particles_find_bond_forces(pdmc_particles *particles, bool unbreakable);
 
-/// The forces of bonds, of contact and of spheres. @param[in] unbreakable  as above
-PDMC_NODISCARD pdmc_status pdmc_particles_find_inner_forces(pdmc_particles *particles, bool unbreakable);
+/// These forces alone, without breaking bonds. @param[in] force  [cells] to which they are written
+void pdmc_particles_find_forces_in(const pdmc_particles *particles, pdmc_precision precision,
+                                   double *const force[PDMC_AXES]);
 
 /// A node's velocity at the time, between the half steps: v - step / 2 times the acceleration.
 double pdmc_particles_velocity_at(const pdmc_particles *particles, const pdmc_block *block, int axis, size_t cell);

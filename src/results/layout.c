@@ -6,12 +6,12 @@
 #define MOTION "/motion/" // the group that only dynamic studies have
 #define EXPLICIT "/explicit/" // ... and that only explicit and quasi-static ones have
 #define REST EXPLICIT "rest/" // ... and only the latter
-#define SPHERE_FORCE EXPLICIT "spheres/force"
 #define SCALAR "/scalar/" // ... and scalar ones
 #define ELASTIC "/elastic/" // ... and elastic ones
 #define QUADRATURE "/quadrature/" // ... and those of quadrature
 #define PEAK_MEMORY "/runtime/peak_memory"
 #define REPLICATES "/statistics/replicates"
+#define FORCE_ERROR EXPLICIT "records/force_error"
 #define GIVEN_REST "/samples/growth_given_rest"
 #define CONDITIONAL "/statistics/conditional_probability"
 #define FRACTURE_ENERGY "/samples/tip_fracture_energy"
@@ -175,6 +175,8 @@ const pdmc_dataset pdmc_datasets[] = {
     RECORD(largest_fragment, MASS, "mass of the largest piece"),
     REALS(EXPLICIT "records/momentum", particles.momentum, MOMENTUM, "momentum of all nodes", PDMC_DIM_RECORD,
           PDMC_DIM_AXIS),
+    REALS(FORCE_ERROR, particles.force_error, NONE,
+          "of single precision: largest difference to forces in double precision, over the largest force", PDMC_DIM_COMPARED),
     REALS(REST "residual", particles.residual, NONE, "forces out of balance over the largest external ones, as norms",
           PDMC_DIM_RECORD),
     REALS(REST "relaxation_steps", particles.relaxation_steps, NONE, "steps of dynamic relaxation", PDMC_DIM_RECORD),
@@ -194,8 +196,6 @@ const pdmc_dataset pdmc_datasets[] = {
           PDMC_DIM_AXIS),
     REALS(EXPLICIT "spheres/velocity", particles.sphere_velocity, VELOCITY, "velocity", PDMC_DIM_RECORD,
           PDMC_DIM_SPHERE, PDMC_DIM_AXIS),
-    REALS(SPHERE_FORCE, particles.sphere_force, FORCE, "by which the nodes push it", PDMC_DIM_RECORD, PDMC_DIM_SPHERE,
-          PDMC_DIM_AXIS),
     OF_LIST("conditions/name", NAME, conditions, pdmc_condition_record, name, NONE, "condition", 1, PDMC_DIM_CONDITION,
             PDMC_DIM_END),
     REALS(EXPLICIT "conditions/force", particles.condition_force, FORCE, "the whole force on its nodes", PDMC_DIM_RECORD,
@@ -495,6 +495,7 @@ static const struct {
     [PDMC_DIM_GROUP] = {"random quantity", MEMBER(reliability.group_count), true, 0},
     [PDMC_DIM_VARIABLE] = {"normal variable", MEMBER(reliability.variable_count), true, 0},
     [PDMC_DIM_RECORD] = {"record", MEMBER(particles.record_count), true, 0},
+    [PDMC_DIM_COMPARED] = {"record", MEMBER(particles.compared_count), true, 0},
     [PDMC_DIM_FOLLOWED_TIP] = {"tip", MEMBER(particles.tip_count), true, 0},
     [PDMC_DIM_SPHERE] = {"sphere", MEMBER(particles.sphere_count), true, 0},
     [PDMC_DIM_CONDITION] = {"condition", MEMBER(particles.condition_count), true, 0},
@@ -585,7 +586,7 @@ bool pdmc_attribute_belongs(const pdmc_results *results, const pdmc_attribute *a
 bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset)
 {
     // What files of earlier versions do not hold.
-    static const char *const later[] = {PEAK_MEMORY, ACCURACY, FRACTURE_ENERGY, SOLVER, LARGEST, GIVEN_REST, SPHERE_FORCE, CONDITIONAL, REPLICATES, CONTROL, RELIABILITY};
+    static const char *const later[] = {PEAK_MEMORY, ACCURACY, FRACTURE_ENERGY, SOLVER, LARGEST, GIVEN_REST, CONDITIONAL, REPLICATES, CONTROL, RELIABILITY, FORCE_ERROR};
     for (size_t i = 0; i < COUNT(later); i++)
         if (strncmp(dataset->path, later[i], strlen(later[i])) == 0) return true;
     return false;

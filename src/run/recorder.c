@@ -25,6 +25,7 @@ static pdmc_status prepare_records(pdmc_recorder *r)
     PDMC_NEW(record->fragments, n);
     PDMC_NEW(record->loose_nodes, n);
     PDMC_NEW(record->largest_fragment, n);
+    PDMC_NEW(record->force_error, n);
 done:
     return status;
 }
@@ -54,7 +55,6 @@ static pdmc_status prepare_spheres(pdmc_recorder *r)
     PDMC_NEW(record->spheres, record->sphere_count);
     PDMC_NEW(record->sphere_centre, values);
     PDMC_NEW(record->sphere_velocity, values);
-    PDMC_NEW(record->sphere_force, values);
     PDMC_NEW(r->spheres, record->sphere_count);
     pdmc_particles_spheres(r->particles, r->spheres);
     for (int s = 0; s < record->sphere_count; s++) {
@@ -181,14 +181,12 @@ static void record_tips(pdmc_recorder *r, int at)
 static void record_spheres(pdmc_recorder *r, int at)
 {
     const size_t bytes = sizeof r->spheres->centre;
-    const size_t first = (size_t)PDMC_AXES * (size_t)at * (size_t)r->record->sphere_count;
     pdmc_particles_spheres(r->particles, r->spheres);
     for (int s = 0; s < r->record->sphere_count; s++) {
-        const size_t place = first + PDMC_AXES * (size_t)s;
+        const size_t place = PDMC_AXES * ((size_t)at * (size_t)r->record->sphere_count + (size_t)s);
         memcpy(&r->record->sphere_centre[place], r->spheres[s].centre, bytes);
         memcpy(&r->record->sphere_velocity[place], r->spheres[s].velocity, bytes);
     }
-    pdmc_particles_sphere_forces(r->particles, &r->record->sphere_force[first]);
 }
 
 static void record_conditions(pdmc_recorder *r, int at)
@@ -228,6 +226,13 @@ done:
     return status;
 }
 
+static pdmc_status record_precision(pdmc_recorder *r, int at)
+{
+    if (r->study->precision != PDMC_PRECISION_SINGLE) return PDMC_OK;
+    r->record->compared_count = at + 1;
+    return pdmc_particles_precision(r->particles, &r->record->force_error[at]);
+}
+
 // A run that stops may not have moved since the last one.
 pdmc_status pdmc_recorder_take_record(pdmc_recorder *r)
 {
@@ -240,7 +245,8 @@ pdmc_status pdmc_recorder_take_record(pdmc_recorder *r)
     if (r->tips_alone) return PDMC_OK;
     record_spheres(r, at);
     record_conditions(r, at);
-    return record_fragments(r, at);
+    const pdmc_status status = record_precision(r, at);
+    return status == PDMC_OK ? record_fragments(r, at) : status;
 }
 
 static pdmc_status keep_fragments(pdmc_recorder *r)

@@ -28,6 +28,10 @@ pdmc_status pdmc_study_check_particle_grid(const pdmc_study_reader *reader)
     if (m->horizon > pdmc_study_with_rounding(20.0 * m->spacing))
         return refuse(reader, SECTION_PARTICLE_GRID, "horizon", m->horizon, "large, must be at most", 20.0 * m->spacing,
                       "20 spacings");
+    if (m->precision == PDMC_PRECISION_SINGLE && reader->problem->kind == PDMC_QUASI_STATIC)
+        return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_PARTICLE_GRID, -1, "precision"},
+                                 "\"single\" is not allowed in a quasi-static study, must be \"double\": rounded "
+                                 "displacements keep forces from being in balance");
     return PDMC_OK;
 }
 
@@ -54,7 +58,7 @@ pdmc_status pdmc_study_check_loading(const pdmc_study_reader *reader)
     return refuse_motion(reader);
 }
 
-// Nodes that are not those of the grid have a stable step of their own, which the engine finds; so have those of interfaces.
+// Nodes that are not those of the grid have a stable step of their own, which the engine finds.
 static bool are_on_the_grid(const pdmc_explicit *m)
 {
     for (int i = 0; i < m->body_count; i++)
@@ -72,7 +76,7 @@ pdmc_status pdmc_study_check_time(const pdmc_study_reader *reader)
     if (m->duration / m->step > step_limit)
         return refuse(reader, SECTION_TIME, "step", m->step, "small, must be at least", m->duration / step_limit,
                       "a thousand millionth of the duration");
-    if (are_on_the_grid(m) && !pdmc_explicit_has_joints(m) && m->step > pdmc_explicit_stable_step(m))
+    if (are_on_the_grid(m) && m->step > pdmc_explicit_stable_step(m))
         return refuse(reader, SECTION_TIME, "step", m->step, "large, must be at most", pdmc_explicit_stable_step(m),
                       "the largest stable one");
     return PDMC_OK;

@@ -30,13 +30,13 @@ static void put_header(const pdmc_results *r, FILE *stream)
     for (int s = 0; s < p->sphere_count; s++) {
         pdmc_csv_axes(stream, p->spheres[s].name, ".centre", r->length_unit);
         pdmc_csv_axes(stream, p->spheres[s].name, ".velocity", velocity);
-        pdmc_csv_axes(stream, p->spheres[s].name, ".force", r->force_unit);
     }
     for (int c = 0; c < p->condition_count; c++) {
         pdmc_csv_axes(stream, p->conditions[c].name, ".force", r->force_unit);
         pdmc_csv_axes(stream, p->conditions[c].name, ".displacement", r->length_unit);
     }
     if (pdmc_is_at_rest(p)) fputs(",residual,relaxation_steps,breakages", stream);
+    if (p->compared_count > 0) fputs(",force_error", stream);
     fputc('\n', stream);
 }
 
@@ -62,7 +62,6 @@ pdmc_status pdmc_csv_records(const pdmc_results *results, FILE *stream)
         for (int s = 0; s < p->sphere_count; s++) {
             pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_sphere(p, p->sphere_centre, i, s));
             pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_sphere(p, p->sphere_velocity, i, s));
-            pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_sphere(p, p->sphere_force, i, s));
         }
         for (int c = 0; c < p->condition_count; c++) {
             pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_condition(p, p->condition_force, i, c));
@@ -70,6 +69,7 @@ pdmc_status pdmc_csv_records(const pdmc_results *results, FILE *stream)
         }
         const double *const of_rest[] = {p->residual, p->relaxation_steps, p->breakages};
         for (int k = 0; k < 3 && pdmc_is_at_rest(p); k++) pdmc_csv_number(stream, of_rest[k][i]);
+        if (p->compared_count > 0) pdmc_csv_number(stream, p->force_error[i]);
         fputc('\n', stream);
     }
     return PDMC_OK;

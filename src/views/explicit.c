@@ -29,6 +29,13 @@ double pdmc_explicit_balance_error(const pdmc_explicit_record *r)
     return largest > 0.0 ? error / largest : NAN;
 }
 
+double pdmc_explicit_force_error(const pdmc_explicit_record *r)
+{
+    double error = 0.0;
+    for (int i = 0; i < r->compared_count; i++) error = fmax(error, r->force_error[i]);
+    return error;
+}
+
 bool pdmc_is_at_rest(const pdmc_explicit_record *record)
 {
     return record->residual != NULL;

@@ -15,6 +15,9 @@ const double *pdmc_of_condition(const pdmc_explicit_record *record, const double
 /// NaN without either.
 double pdmc_explicit_balance_error(const pdmc_explicit_record *record);
 
+/// The largest of the differences that single precision makes. @param[in] record  of a study in single precision
+double pdmc_explicit_force_error(const pdmc_explicit_record *record);
+
 /// Whether the records are of states of rest, and their times of loads.
 bool pdmc_is_at_rest(const pdmc_explicit_record *record);
 

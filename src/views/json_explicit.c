@@ -17,6 +17,7 @@ static json_t *records(const pdmc_explicit_record *p)
         {"work", p->work},
         {"mean_damage", p->mean_damage},
         {"broken", p->broken},
+        {"force_error", p->compared_count > 0 ? p->force_error : NULL},
         {"residual", p->residual},
         {"relaxation_steps", p->relaxation_steps},
         {"breakages", p->breakages},
@@ -59,18 +60,16 @@ static json_t *tip(const pdmc_explicit_record *p, int t)
 
 static json_t *sphere(const pdmc_explicit_record *p, int s)
 {
-    json_t *object = json_object(), *centre = json_array(), *velocity = json_array(), *force = json_array();
+    json_t *object = json_object(), *centre = json_array(), *velocity = json_array();
     pdmc_json_put(&object, "name", pdmc_json_text(p->spheres[s].name));
     pdmc_json_put(&object, "radius", pdmc_json_number(p->spheres[s].radius));
     pdmc_json_put(&object, "mass", pdmc_json_number(p->spheres[s].mass));
     for (int i = 0; i < p->record_count; i++) {
         pdmc_json_append(&centre, pdmc_json_numbers(PDMC_AXES, pdmc_of_sphere(p, p->sphere_centre, i, s)));
         pdmc_json_append(&velocity, pdmc_json_numbers(PDMC_AXES, pdmc_of_sphere(p, p->sphere_velocity, i, s)));
-        pdmc_json_append(&force, pdmc_json_numbers(PDMC_AXES, pdmc_of_sphere(p, p->sphere_force, i, s)));
     }
     pdmc_json_put(&object, "centre", centre);
     pdmc_json_put(&object, "velocity", velocity);
-    pdmc_json_put(&object, "force", force);
     return object;
 }
 
@@ -141,6 +140,8 @@ json_t *pdmc_json_explicit(const pdmc_explicit_record *p)
     pdmc_json_put(&object, "stable_step", pdmc_json_number(p->stable_step));
     pdmc_json_put(&object, "steps", pdmc_json_number(p->steps));
     pdmc_json_put(&object, "kernel", pdmc_json_text(p->kernel));
+    pdmc_json_put(&object, "precision", pdmc_json_text(p->compared_count > 0 ? "single" : "double"));
+    if (p->compared_count > 0) pdmc_json_put(&object, "force_error", pdmc_json_number(pdmc_explicit_force_error(p)));
     pdmc_json_put(&object, "first_kinetic", pdmc_json_number(p->first));
     pdmc_json_put(&object, "balance_error", pdmc_json_number(pdmc_explicit_balance_error(p)));
     pdmc_json_put(&object, "last", last(p));

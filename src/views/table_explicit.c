@@ -48,6 +48,9 @@ static void print_energies(const pdmc_results *r, int last, FILE *stream)
                 pdmc_is_at_rest(p) ? ", where bonds broke" : " by damping");
     fprintf(stream, "  the balance of energy is off by %s of the largest energy at most\n",
             pdmc_brief(n[0], pdmc_explicit_balance_error(p)));
+    if (p->compared_count > 0)
+        fprintf(stream, "  single precision changes no force by more than %s of the largest one\n",
+                pdmc_brief(n[0], pdmc_explicit_force_error(p)));
     fprintf(stream, "  %.0f bonds are broken, the mean damage is %.6g\n", p->broken[last], p->mean_damage[last]);
 }
 
@@ -105,11 +108,10 @@ static void print_spheres(const pdmc_results *r, int last, FILE *stream)
     const pdmc_explicit_record *p = &r->particles;
     char n[6][PDMC_BRIEF_SIZE], text[PDMC_LINE_SIZE];
     if (p->sphere_count == 0) return;
-    const bool rests = pdmc_is_at_rest(p);
-    fprintf(stream, "\nspheres %32s %32s\n", "centre", rests ? "force" : "velocity");
+    fprintf(stream, "\nspheres %32s %32s\n", "centre", "velocity");
     for (int s = 0; s < p->sphere_count; s++) {
         const double *x = pdmc_of_sphere(p, p->sphere_centre, last, s);
-        const double *v = pdmc_of_sphere(p, rests ? p->sphere_force : p->sphere_velocity, last, s);
+        const double *v = pdmc_of_sphere(p, p->sphere_velocity, last, s);
         fprintf(stream, "  %-15.15s %10s %10s %10s %12s %10s %10s\n", pdmc_one_line(text, p->spheres[s].name),
                 pdmc_brief(n[0], x[0]), pdmc_brief(n[1], x[1]), pdmc_brief(n[2], x[2]), pdmc_brief(n[3], v[0]),
                 pdmc_brief(n[4], v[1]), pdmc_brief(n[5], v[2]));

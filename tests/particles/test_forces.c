@@ -31,8 +31,16 @@ typedef struct {
     double *position[PDMC_AXES], *velocity[PDMC_AXES], *force[PDMC_AXES], *strength, *next_strength, *stiffness,
         *relative, *fracture, *elastic, *contact;
     double strengths[PDMC_STRENGTH_CLASSES];
+    pdmc_single single;
     uint8_t *bonds; // as they were
 } setting;
+
+/// A kernel and how far its numbers may be from those by definition: of forces, of sums of all forces and of their moments.
+typedef struct {
+    pdmc_forces_kernel *find;
+    bool is_single;
+    double rounding, balance, moment;
+} subject;
 
 static double *zeros(size_t count)
 {
@@ -77,15 +85,25 @@ static void make_parts(setting *t)
     CHECK_OK(pdmc_joints_create(&t->s.options, t->law, &t->joints));
 }
 
-static void set_up(setting *t, variant kind, double amplitude)
+/// What kernels of single precision look at.
+static void make_single(setting *t)
+{
+    CHECK_OK(pdmc_single_create(&t->nodes, t->forces.stiffness, &t->single));
+    for (int b = 0; b < t->nodes.block_count; b++)
+        pdmc_single_follow(&t->single, &t->nodes, &t->nodes.blocks[b], t->position);
+    for (size_t c = 0; c < t->nodes.cells; c++) t->single.strength[c] = (float)t->strength[c];
+    t->forces.single = &t->single;
+}
+
+static void set_up_box(setting *t, variant kind, const int size[], double amplitude)
 {
     unsigned seed = 7;
     *t = (setting){.kind = kind};
-    make_box(&t->s, 3, (int[]){11, 9, 6});
+    make_box(&t->s, 3, size);
     t->s.options.volume_rule = PDMC_VOLUME_TAPERED;
     t->s.options.contact_distance = 0.85;
     make_laws(t);
-    if (kind.scattered) t->scattered = scatter_box(&t->s, (int[]){11, 9, 6}, 0.2, &seed);
+    if (kind.scattered) t->scattered = scatter_box(&t->s, size, 0.2, &seed);
     make_parts(t);
     if (kind.scattered) {
         CHECK_OK(pdmc_scattered_create(&t->s.options, &t->joints, &t->nodes));
@@ -123,8 +141,15 @@ static void set_up(setting *t, variant kind, double amplitude)
     t->forces.fracture = t->fracture = zeros(blocks);
     t->forces.elastic = t->elastic = zeros(blocks);
     t->forces.contact = t->contact = zeros(blocks);
+    make_single(t);
     t->bonds = malloc(t->nodes.bond_bytes);
     memcpy(t->bonds, t->nodes.bonds, t->nodes.bond_bytes);
+}
+
+/// Rows of three blocks, of which the first two have the same neighbours.
+static void set_up(setting *t, variant kind, double amplitude)
+{
+    set_up_box(t, kind, (int[]){19, 7, 4}, amplitude);
 }
 
 static void tear_down(setting *t)
@@ -141,6 +166,7 @@ static void tear_down(setting *t)
     pdmc_free(t->fracture);
     pdmc_free(t->elastic);
     pdmc_free(t->contact);
+    pdmc_single_clear(&t->single);
     free(t->bonds);
     free(t->scattered);
     pdmc_nodes_clear(&t->nodes);
@@ -256,32 +282,33 @@ static void check_block(const setting *t, int b, double rounding)
     CHECK_NEAR(t->fracture[b], fracture, rounding);
 }
 
-static void check_kernel(pdmc_forces_kernel *kernel, variant kind)
+static void check_kernel(const subject *kernel, variant kind)
 {
     setting t;
     set_up(&t, kind, 0.15);
-    kernel(&t.forces, 0, t.nodes.block_count);
+    kernel->find(&t.forces, 0, t.nodes.block_count);
+    for (size_t c = 0; kernel->is_single && c < t.nodes.cells; c++)
+        t.next_strength[c] = (double)t.single.next_strength[c];
     touching_pairs = broken_bonds = 0;
-    // About 100 bonds of 0.2 to 1 a node, each to a few roundings of 1e-16 and its stretch to one of 1e-16 of 1 / |xi|.
-    for (int b = 0; b < t.nodes.block_count; b++) check_block(&t, b, 1e-13);
+    for (int b = 0; b < t.nodes.block_count; b++) check_block(&t, b, kernel->rounding);
     assert_true(touching_pairs > 20 && broken_bonds > 1000); // or nothing would be tested
     tear_down(&t);
 }
 
-static void check_energies(pdmc_forces_kernel *kernel, variant kind)
+static void check_energies(const subject *kernel, variant kind)
 {
     setting t;
     set_up(&t, kind, 0.15);
     t.forces.energies = true;
-    kernel(&t.forces, 0, t.nodes.block_count);
+    kernel->find(&t.forces, 0, t.nodes.block_count);
     for (int b = 0; b < t.nodes.block_count; b++) {
         double elastic = 0.0, contact = 0.0;
         for (unsigned left = t.nodes.blocks[b].nodes; left; left &= left - 1) {
             const expected e = node_by_definition(&t, t.nodes.blocks[b].cell + (size_t)__builtin_ctz(left));
             elastic += e.elastic, contact += e.contact;
         }
-        CHECK_NEAR(t.elastic[b], elastic, 1e-13);
-        CHECK_NEAR(t.contact[b], contact, 1e-13);
+        CHECK_NEAR(t.elastic[b], elastic, kernel->rounding);
+        CHECK_NEAR(t.contact[b], contact, kernel->rounding);
     }
     assert_memory_equal(t.bonds, t.nodes.bonds, t.nodes.bond_bytes);
     tear_down(&t);
@@ -289,13 +316,13 @@ static void check_energies(pdmc_forces_kernel *kernel, variant kind)
 
 /// The sum of all forces, and of their moments, to rounding: both directions of a bond agree. Linear forces act along the
 /// bonds as they were.
-static void check_balance(pdmc_forces_kernel *kernel, variant kind)
+static void check_balance(const subject *kernel, variant kind)
 {
     setting t;
     set_up(&t, kind, 0.15);
     double sum[PDMC_AXES] = {0}, moment[PDMC_AXES] = {0}, *const *place = kind.linear ? t.nodes.reference : t.position;
     if (kind.linear) t.forces.repulsion = 0.0;
-    kernel(&t.forces, 0, t.nodes.block_count);
+    kernel->find(&t.forces, 0, t.nodes.block_count);
     for (int k = 0; k < t.nodes.node_count; k++) {
         const size_t c = t.nodes.cell[k];
         for (int a = 0; a < PDMC_AXES; a++) {
@@ -306,13 +333,32 @@ static void check_balance(pdmc_forces_kernel *kernel, variant kind)
         }
     }
     for (int a = 0; a < PDMC_AXES; a++) {
-        CHECK_NEAR(sum[a], 0.0, 1e-12);    // 600 nodes, forces up to 5
-        CHECK_NEAR(moment[a], 0.0, 1e-11); // lever arms up to 11
+        CHECK_NEAR(sum[a], 0.0, kernel->balance);
+        CHECK_NEAR(moment[a], 0.0, kernel->moment);
     }
     tear_down(&t);
 }
 
-static void check(pdmc_forces_kernel *kernel)
+/// Two nodes alone, from close together to far apart: the force on one is that on the other to the bit.
+static void check_pair(const subject *kernel, variant kind)
+{
+    unsigned seed = 3;
+    setting t;
+    set_up_box(&t, kind, (int[]){1, 2, 1}, 0.0);
+    const size_t i = t.nodes.cell[0], j = t.nodes.cell[1];
+    t.forces.unbreakable = true;
+    for (int k = 0; k < 200; k++) {
+        for (int a = 0; a < PDMC_AXES; a++) t.position[a][j] = t.nodes.reference[a][j] + 1.5 * scatter(&seed);
+        for (int b = 0; b < t.nodes.block_count; b++)
+            pdmc_single_follow(&t.single, &t.nodes, &t.nodes.blocks[b], t.position);
+        kernel->find(&t.forces, 0, t.nodes.block_count);
+        for (int a = 0; a < PDMC_AXES; a++) assert_true(t.force[a][i] == -t.force[a][j]);
+        assert_true(t.force[1][i] != 0.0);
+    }
+    tear_down(&t);
+}
+
+static void check(const subject *kernel)
 {
     static const variant kinds[] = {
         {0},
@@ -339,12 +385,28 @@ static void check(pdmc_forces_kernel *kernel)
         check_energies(kernel, kinds[k]);
         check_balance(kernel, kinds[k]);
     }
+    check_pair(kernel, (variant){0});
+    check_pair(kernel, (variant){.linear = true});
+}
+
+/// About 100 bonds of 0.2 to 1 a node, each to a few roundings of 1e-16 and its stretch to one of 1e-16 of 1 / |xi|; 500 nodes with
+/// forces up to 5, and lever arms up to 19.
+static void check_double(pdmc_forces_kernel *find)
+{
+    check(&(subject){find, false, 1e-13, 1e-12, 1e-11});
+}
+
+/// The same with roundings of 6e-8, which are more where the places of scattered nodes are rounded too.
+static void check_single(pdmc_forces_kernel *find)
+{
+    check(&(subject){find, true, 2e-5, 1e-4, 1e-3});
 }
 
 static void portable(void **state)
 {
     (void)state;
-    check(pdmc_forces_portable);
+    check_double(pdmc_forces_portable);
+    check_single(pdmc_forces_portable_single);
 }
 
 static void avx2(void **state)
@@ -352,7 +414,8 @@ static void avx2(void **state)
     (void)state;
 #ifdef PDMC_HAVE_X86
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-        check(pdmc_forces_avx2);
+        check_double(pdmc_forces_avx2);
+        check_single(pdmc_forces_avx2_single);
         return;
     }
 #endif
@@ -364,7 +427,8 @@ static void avx512(void **state)
     (void)state;
 #ifdef PDMC_HAVE_X86
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
-        check(pdmc_forces_avx512);
+        check_double(pdmc_forces_avx512);
+        check_single(pdmc_forces_avx512_single);
         return;
     }
 #endif

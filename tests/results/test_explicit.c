@@ -28,6 +28,7 @@ static void check_columns(const pdmc_explicit_record *a, const pdmc_explicit_rec
         {a->momentum, b->momentum, 3 * a->record_count},
         {a->mean_damage, b->mean_damage, a->record_count},
         {a->broken, b->broken, a->record_count},
+        {a->force_error, b->force_error, a->compared_count},
         {a->fragments, b->fragments, a->record_count},
         {a->loose_nodes, b->loose_nodes, a->record_count},
         {a->largest_fragment, b->largest_fragment, a->record_count},
@@ -35,7 +36,6 @@ static void check_columns(const pdmc_explicit_record *a, const pdmc_explicit_rec
         {a->tip_speed, b->tip_speed, a->tip_count * a->record_count},
         {a->sphere_centre, b->sphere_centre, 3 * a->sphere_count * a->record_count},
         {a->sphere_velocity, b->sphere_velocity, 3 * a->sphere_count * a->record_count},
-        {a->sphere_force, b->sphere_force, 3 * a->sphere_count * a->record_count},
         {a->node_position, b->node_position, 3 * a->node_count},
         {a->snapshot_time, b->snapshot_time, a->snapshot_count},
         {a->displacement, b->displacement, 3 * a->state_count},
@@ -53,6 +53,7 @@ static void check_record(const pdmc_explicit_record *a, const pdmc_explicit_reco
     assert_memory_equal(&a->first, &b->first, sizeof a->first);
     assert_string_equal(a->kernel, b->kernel);
     assert_int_equal(a->record_count, b->record_count);
+    assert_int_equal(a->compared_count, b->compared_count);
     assert_int_equal(a->tip_count, b->tip_count);
     assert_int_equal(a->sphere_count, b->sphere_count);
     assert_int_equal(a->body_count, b->body_count);
