@@ -26,6 +26,16 @@ typedef struct {
     char *file;     // of these nodes as the study names it; NULL where they are those of the grid in a shape
 } pdmc_explicit_body;
 
+typedef enum { PDMC_BETWEEN_MATERIALS, PDMC_BETWEEN_BODIES } pdmc_between;
+
+/// What bonds between two materials are, or between two bodies: with a modulus and a strength of their own, or those of the
+/// materials; see pdmc_interface.
+typedef struct {
+    pdmc_between between;
+    int first_material, second_material, first_body, second_body;
+    pdmc_explicit_material bonds; // no density, nor what has a direction
+} pdmc_explicit_interface;
+
 /// What is prescribed in a layer; its history has no points where the value is constant.
 typedef struct {
     pdmc_layer_condition layer;
@@ -34,6 +44,7 @@ typedef struct {
 
 typedef struct {
     pdmc_rigid_sphere sphere;
+    double displacement[PDMC_AXES]; // at the last load of a quasi-static study
     bool has_mass; // otherwise it keeps its velocity
 } pdmc_explicit_sphere;
 
@@ -50,13 +61,14 @@ typedef struct {
     pdmc_precision precision;
     double thickness;           // in two dimensions
     pdmc_assumption assumption; // ... too
-    int material_count, body_count, crack_count, condition_count, sphere_count, no_fail_count;
+    int material_count, body_count, crack_count, condition_count, sphere_count, no_fail_count, interface_count;
     pdmc_explicit_material *materials;
     pdmc_explicit_body *bodies;
     pdmc_planar_crack *cracks;
     pdmc_explicit_condition *conditions;
     pdmc_explicit_sphere *spheres;
     pdmc_shape *no_fail; // inside which no bond breaks
+    pdmc_explicit_interface *interfaces;
     double contact_distance, contact_stiffness;
     double damping, bond_damping; // force time / length^4, time / length
     int load_steps;            // of a quasi-static problem; 0 of one in motion
@@ -83,10 +95,14 @@ PDMC_API pdmc_brittle_material pdmc_explicit_law(const pdmc_explicit *problem, c
 /// Area or volume of a shape.
 PDMC_API double pdmc_explicit_extent(const pdmc_explicit *problem, const pdmc_shape *shape);
 
-/// The nodes that a body has, or about as many as the grid has in its shape.
+/// The nodes that a body has, or about as many as the grid has in its shape; a part has its host's.
 PDMC_API double pdmc_explicit_nodes(const pdmc_explicit *problem, const pdmc_body *body);
 
-/// The largest stable step of bodies on a grid, as the engine has it without random quantities.
+/// Whether there are bonds between bodies.
+PDMC_API bool pdmc_explicit_has_joints(const pdmc_explicit *problem);
+
+/// The largest stable step of bodies on a grid, as the engine has it without random quantities; a lower bound where there are bonds
+/// between bodies.
 PDMC_API double pdmc_explicit_stable_step(const pdmc_explicit *problem);
 
 /// What a problem amounts to, before its nodes are placed: bodies as if they did not overlap, whole neighbourhoods at

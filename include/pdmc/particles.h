@@ -221,12 +221,12 @@ typedef struct {
 
 /// Brings the bodies to rest under their conditions at a load, instead of moving them: dynamic relaxation while no bond breaks;
 /// then all that are stretched beyond s_0 break, and so on until none does. Displacements and forces are those of their
-/// histories at the time `load`. Work is that of external forces between states of rest, by the trapezoidal rule; what
-/// is lost where bonds break at a load is dissipated, and the rest of the work is elastic or in the bonds that broke: a
-/// balance of the second order in the loads' steps.
+/// histories at the time `load`; a rigid sphere is where its velocity would have brought it by then. Work is that of external
+/// forces between states of rest, by the trapezoidal rule; what is lost where bonds break at a load is dissipated, and the
+/// rest of the work is elastic, in contact, or in the bonds that broke: a balance of the second order in the loads' steps.
 /// @param[in]  load  the first is best one without force; pdmc_particles_time() is the last one
 /// @param[out] rest  also of a failure
-/// @return PDMC_OK; PDMC_ERR_ARG where bodies have moved, or there are velocities, spheres or contact; PDMC_ERR_SINGULAR with
+/// @return PDMC_OK; PDMC_ERR_ARG where bodies have moved, a velocity is prescribed, or a sphere has a mass; PDMC_ERR_SINGULAR with
 ///         load and residual where a relaxation does not end, or a force acts on a node without bonds; PDMC_ERR_INTERRUPTED;
 ///         PDMC_ERR_NOMEM. After a failure the state is that of an unfinished relaxation.
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_particles_come_to_rest(pdmc_particles *particles, double load,
@@ -275,5 +275,8 @@ PDMC_API void pdmc_particles_fragments(const pdmc_particles *particles, const in
 /// the mean of the nodes' displacements. @param[out] force displacement  [condition_count, 3]
 PDMC_API void pdmc_particles_conditions(const pdmc_particles *particles, double force[], double displacement[]);
 
-/// The rigid spheres as they are now. @param[out] spheres  [sphere_count]
+/// The rigid spheres as they are now; their velocities at rest are zero. @param[out] spheres  [sphere_count]
 PDMC_API void pdmc_particles_spheres(const pdmc_particles *particles, pdmc_rigid_sphere spheres[]);
+
+/// By which the nodes push the spheres. @param[out] force  [sphere_count, 3]
+PDMC_API void pdmc_particles_sphere_forces(const pdmc_particles *particles, double force[]);

@@ -195,6 +195,7 @@ typedef struct {
     int sphere_count;                                                    // S
     pdmc_sphere_record *spheres;                                         // [S]
     double *sphere_centre, *sphere_velocity;                             // [N, S, 3]
+    double *sphere_force;                                                // [N, S, 3] of the nodes on it
 
     int condition_count;              // C
     pdmc_condition_record *conditions; // [C]

@@ -238,15 +238,22 @@ static pdmc_layer_motion motion_of_layers(const pdmc_particles *p)
     return motion;
 }
 
-/// All forces at the time but those of damping and of what holds nodes.
-static pdmc_status find_forces(pdmc_particles *p)
+pdmc_status pdmc_particles_find_inner_forces(pdmc_particles *p, bool unbreakable)
 {
-    const pdmc_layer_motion motion = motion_of_layers(p);
-    pdmc_particles_find_bond_forces(p, false);
-    pdmc_status status = pdmc_contact_update(&p->contact, &p->nodes, p->position, p->threads);
+    pdmc_particles_find_bond_forces(p, unbreakable);
+    const pdmc_status status = pdmc_contact_update(&p->contact, &p->nodes, p->position, p->threads);
     if (status != PDMC_OK) return status;
     pdmc_contact_add(&p->contact, &p->nodes, p->position, p->threads, p->force);
     meet_spheres(p);
+    return PDMC_OK;
+}
+
+/// All forces at the time but those of damping and of what holds nodes.
+static pdmc_status find_forces(pdmc_particles *p)
+{
+    const pdmc_status status = pdmc_particles_find_inner_forces(p, false);
+    if (status != PDMC_OK) return status;
+    const pdmc_layer_motion motion = motion_of_layers(p);
     for (int k = 0; k < p->layer_count; k++)
         if (!pdmc_layer_holds(&p->layers[k])) pdmc_layer_push(&p->layers[k], &p->nodes, &motion);
     return PDMC_OK;

@@ -46,7 +46,10 @@ PDMC_NODISCARD pdmc_status pdmc_particles_start(pdmc_particles *particles);
 /// The forces of bonds and of neighbours' repulsion. @param[in] unbreakable  whether no bond breaks now
 void pdmc_particles_find_bond_forces(pdmc_particles *particles, bool unbreakable);
 
-/// These forces alone, without breaking bonds. @param[in] force  [cells] to which they are written
+/// The forces of bonds, of contact and of spheres. @param[in] unbreakable  as above
+PDMC_NODISCARD pdmc_status pdmc_particles_find_inner_forces(pdmc_particles *particles, bool unbreakable);
+
+/// The forces of bonds and of neighbours' repulsion alone, without breaking bonds. @param[in] force  [cells] to which they are written
 void pdmc_particles_find_forces_in(const pdmc_particles *particles, pdmc_precision precision,
                                    double *const force[PDMC_AXES]);
 

@@ -2,15 +2,13 @@
 #include "particles/rest.h"
 
 #include "base/base_impl.h"
+#include "particles/masses.h"
 #include "particles/particles_impl.h"
 #include "pdmc/relaxation.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
-
-// Underwood: masses of a step of 1.1 are used with one of 1.
-static const double mass_margin = 1.21;
 
 // What is brought to rest at a load. Unknowns are the coordinates of the nodes, node by node.
 typedef struct {
@@ -21,6 +19,8 @@ typedef struct {
     size_t unknowns;
     double *x;        // [unknowns]
     double *mass;     // [unknowns]
+    double *mass_at;  // [unknowns] coordinates for which the masses were found
+    double reach;     // how far nodes may be from them
     double *force;    // [unknowns]
     double *external; // [unknowns] as in the memory
     double rounding;  // norm of the forces that the rounding of positions alone makes
@@ -31,6 +31,9 @@ void pdmc_rest_clear(pdmc_rest_memory *memory)
 {
     for (int k = 0; k < 2; k++) pdmc_free(memory->at_rest[k]);
     pdmc_free(memory->external);
+    pdmc_free(memory->sphere_start);
+    pdmc_free(memory->sphere_centre);
+    pdmc_free(memory->sphere_force);
     *memory = (pdmc_rest_memory){0};
 }
 
@@ -53,14 +56,38 @@ static void place(pdmc_particles *p, const double x[])
         for (int a = 0; a < dimension; a++) p->position[a][p->nodes.cell[k]] = x[k * dimension + a];
 }
 
+static pdmc_status find_masses(resting *r, const double x[])
+{
+    pdmc_particles *p = r->particles;
+    place(p, x);
+    const pdmc_status status = pdmc_contact_update(&p->contact, &p->nodes, p->position, p->threads);
+    if (status != PDMC_OK) return status;
+    pdmc_masses_find(p, r->mass);
+    memcpy(r->mass_at, x, r->unknowns * sizeof *x);
+    return PDMC_OK;
+}
+
+/// Whether what touches may not be in the masses: two nodes that move by a quarter of their reach along each axis come
+/// nearer by at most 0.87 of it. Masses may change in the middle of a relaxation, which goes on.
+static bool has_moved(const resting *r, const double x[])
+{
+    bool moved = false;
+    for (size_t i = 0; isfinite(r->reach) && i < r->unknowns; i++)
+        moved |= fabs(x[i] - r->mass_at[i]) > 0.25 * r->reach;
+    return moved;
+}
+
 /// Whole forces on the nodes, prescribed ones included.
 static pdmc_status find_forces(void *context, const double x[], double force[])
 {
-    const resting *r = context;
+    resting *r = context;
     pdmc_particles *p = r->particles;
     const pdmc_nodes *g = &p->nodes;
+    pdmc_status status = has_moved(r, x) ? find_masses(r, x) : PDMC_OK;
+    if (status != PDMC_OK) return status;
     place(p, x);
-    pdmc_particles_find_bond_forces(p, true);
+    status = pdmc_particles_find_inner_forces(p, true);
+    if (status != PDMC_OK) return status;
     pdmc_layer_motion motion = {.time = r->load};
     for (int a = 0; a < PDMC_AXES; a++) motion.force[a] = p->force[a];
     for (int k = 0; k < p->layer_count; k++)
@@ -78,54 +105,6 @@ static bool go_on(void *context, const pdmc_relaxation_state *state)
     return state->steps % 16 > 0 || !r->options->go_on || r->options->go_on(r->options->context, r->rest->steps);
 }
 
-/// Adds k |e_a| sum_b |e_b| of a bond's stiffness k, twice: in the node's own place of the row and in its neighbour's.
-static void add_row(const pdmc_particles *p, const pdmc_bond_law *law, size_t c, size_t other, double row[PDMC_AXES])
-{
-    const pdmc_nodes *g = &p->nodes;
-    double *const *x = p->linear ? p->nodes.reference : p->position;
-    double e[PDMC_AXES], square = 0.0, sum = 0.0;
-    for (int a = 0; a < PDMC_AXES; a++) {
-        e[a] = fabs(x[a][other] - x[a][c]);
-        square += e[a] * e[a];
-        sum += e[a];
-    }
-    const double stiffness = pdmc_variation_micromodulus(&p->variation, g, law, c, other) *
-                             pdmc_nodes_weight(g, c, other) * g->volume[c] / pdmc_nodes_length(g, c, other);
-    for (int a = 0; a < PDMC_AXES; a++) row[a] += 2.0 * stiffness * e[a] * sum / square;
-}
-
-/// A quarter of the largest row sum of a node's |k_ij| (Gerschgorin; Yu 2011, eq. 4.59 and 4.67, whose sum leaves the
-/// node's own place out), and the margin.
-static double mass_of(const pdmc_particles *p, const pdmc_block *block, int lane)
-{
-    const size_t c = block->cell + (size_t)lane;
-    double row[PDMC_AXES] = {0.0};
-    for (int k = 0; k < block->listed; k++)
-        if (p->nodes.bonds[block->bonds + (size_t)k] >> lane & 1)
-            add_row(p, &p->laws[block->material], c, pdmc_nodes_neighbour(&p->nodes, block, k, lane), row);
-    return 0.25 * mass_margin * fmax(row[0], fmax(row[1], row[2]));
-}
-
-/// Fictitious masses; infinite where positions are prescribed, and where a node has no bonds left.
-static void find_masses(resting *r)
-{
-    const pdmc_particles *p = r->particles;
-    const pdmc_nodes *g = &p->nodes;
-#pragma omp parallel for num_threads(p->threads) schedule(static)
-    for (int b = 0; b < g->block_count; b++)
-        for (unsigned left = g->blocks[b].nodes; left; left &= left - 1) {
-            const int lane = __builtin_ctz(left);
-            const double mass = mass_of(p, &g->blocks[b], lane);
-            for (int a = 0; a < g->dimension; a++)
-                r->mass[unknown_of(p, g->blocks[b].cell + (size_t)lane, a)] = mass > 0.0 ? mass : INFINITY;
-        }
-    for (int k = 0; k < p->layer_count; k++)
-        for (int a = 0; a < g->dimension; a++)
-            for (int i = 0;
-                 pdmc_layer_holds(&p->layers[k]) && p->layers[k].condition.along[a] && i < p->layers[k].count; i++)
-                r->mass[unknown_of(p, p->layers[k].cell[i], a)] = INFINITY;
-}
-
 /// A quarter of a row of the stiffness, the mass, times what positions cannot tell.
 static void find_rounding(resting *r)
 {
@@ -133,6 +112,15 @@ static void find_rounding(resting *r)
     for (size_t i = 0; i < r->unknowns; i++)
         if (isfinite(r->mass[i])) sum += r->mass[i] * r->mass[i] * r->x[i] * r->x[i];
     r->rounding = 4.0 * DBL_EPSILON * sqrt(sum);
+}
+
+/// A sphere's velocity is what it moves by in a unit of the load.
+static void place_spheres(resting *r)
+{
+    pdmc_particles *p = r->particles;
+    for (int s = 0; s < p->sphere_count; s++)
+        for (int a = 0; a < PDMC_AXES; a++)
+            p->spheres[s].centre[a] = p->rest.sphere_start[PDMC_AXES * s + a] + r->load * p->spheres[s].velocity[a];
 }
 
 /// On from the last two states of rest in a straight line; then all prescribed positions.
@@ -154,7 +142,7 @@ static void guess(resting *r)
     }
 }
 
-/// The external forces: what is prescribed, and what holds nodes whose position is. @return their norm
+/// The external forces: what is prescribed, what holds nodes whose position is, and what holds spheres. @return their norm
 static double find_external(resting *r)
 {
     const pdmc_particles *p = r->particles;
@@ -173,6 +161,7 @@ static double find_external(resting *r)
             }
     }
     for (size_t i = 0; i < r->unknowns; i++) sum += r->external[i] * r->external[i];
+    for (int i = 0; i < PDMC_AXES * p->sphere_count; i++) sum += p->sphere_force[i] * p->sphere_force[i];
     return sqrt(sum);
 }
 
@@ -216,7 +205,7 @@ static pdmc_status relax(resting *r)
     enum { MOST_RUNS = 100 };
     const pdmc_relaxation_model model = {r->unknowns, find_forces, r, r->mass};
     pdmc_relaxation_state state;
-    find_masses(r);
+    PDMC_TRY(find_masses(r, r->x));
     find_rounding(r);
     PDMC_TRY(look(r));
     for (int run = 0; r->rest->residual > r->options->tolerance && run < MOST_RUNS; run++) {
@@ -237,11 +226,13 @@ done:
     return status;
 }
 
-static double elastic_energy(const pdmc_particles *p)
+/// In bonds and in what touches.
+static double stored_energy(const pdmc_particles *p)
 {
-    double sum = 0.0;
+    double sum = pdmc_contact_energy(&p->contact, &p->nodes, p->position);
     pdmc_particles_find_energies(p);
-    for (int b = 0; b < p->nodes.block_count; b++) sum += p->elastic[b];
+    for (int b = 0; b < p->nodes.block_count; b++) sum += p->elastic[b] + p->contact_energy[b];
+    for (int s = 0; s < p->sphere_count; s++) sum += p->sphere_energy[s];
     return sum;
 }
 
@@ -250,6 +241,21 @@ static double fracture_energy(const pdmc_particles *p)
     double sum = 0.0;
     for (int b = 0; b < p->nodes.block_count; b++) sum += p->fracture[b];
     return sum;
+}
+
+/// As remember(), of the spheres: what holds them acts against the nodes.
+static double remember_spheres(pdmc_particles *p)
+{
+    pdmc_rest_memory *m = &p->rest;
+    double work = 0.0;
+    for (int s = 0; s < p->sphere_count; s++)
+        for (int a = 0; a < PDMC_AXES; a++) {
+            const int i = PDMC_AXES * s + a;
+            work -= 0.5 * (m->sphere_force[i] + p->sphere_force[i]) * (p->spheres[s].centre[a] - m->sphere_centre[i]);
+            m->sphere_force[i] = p->sphere_force[i];
+            m->sphere_centre[i] = p->spheres[s].centre[a];
+        }
+    return work;
 }
 
 /// What is at rest now is remembered. @return the work of the external forces since the state of rest before, by the
@@ -265,7 +271,7 @@ static double remember(resting *r)
     }
     m->largest = fmax(m->largest, norm);
     memcpy(m->at_rest[0], r->x, r->unknowns * sizeof *r->x);
-    return work;
+    return work + remember_spheres(r->particles);
 }
 
 /// Breaks what is stretched too far. @return whether there was any
@@ -283,14 +289,14 @@ static pdmc_status settle(resting *r)
     pdmc_particles *p = r->particles;
     PDMC_TRY(relax(r));
     p->work += remember(r);
-    double elastic = elastic_energy(p), fracture = fracture_energy(p);
+    double stored = stored_energy(p), fracture = fracture_energy(p);
     while (break_bonds(p)) {
         r->rest->breakages++;
         PDMC_TRY(relax(r));
-        const double work = remember(r), elastic_now = elastic_energy(p), fracture_now = fracture_energy(p);
+        const double work = remember(r), stored_now = stored_energy(p), fracture_now = fracture_energy(p);
         p->work += work;
-        p->rest.dissipated += work - (elastic_now - elastic) - (fracture_now - fracture);
-        elastic = elastic_now;
+        p->rest.dissipated += work - (stored_now - stored) - (fracture_now - fracture);
+        stored = stored_now;
         fracture = fracture_now;
     }
 done:
@@ -318,7 +324,12 @@ static pdmc_status start(resting *r)
     pdmc_particles *p = r->particles;
     pdmc_rest_memory *m = &p->rest;
     for (int k = 0; k < 2; k++) PDMC_NEW(m->at_rest[k], r->unknowns);
-    PDMC_NEW(m->external, r->unknowns);
+    PDMC_NEW(m->sphere_start, PDMC_AXES * p->sphere_count);
+    PDMC_NEW(m->sphere_centre, PDMC_AXES * p->sphere_count);
+    PDMC_NEW(m->sphere_force, PDMC_AXES * p->sphere_count);
+    for (int i = 0; i < PDMC_AXES * p->sphere_count; i++)
+        m->sphere_start[i] = m->sphere_centre[i] = p->spheres[i / PDMC_AXES].centre[i % PDMC_AXES];
+    PDMC_NEW(m->external, r->unknowns); // last: there is one where all else is
     gather(p, p->position, m->at_rest[0]);
     p->work = p->work_after = p->damping.dissipated = p->damping.after = 0.0;
 done:
@@ -338,7 +349,9 @@ static pdmc_status check(const pdmc_particles *p, const pdmc_rest_options *optio
 {
     PDMC_REQUIRE(options->tolerance > 0.0 && options->most_steps > 0, "rest: tolerance and steps need to be > 0");
     PDMC_REQUIRE(p->steps == 0, "rest: the bodies have moved already");
-    PDMC_REQUIRE(p->sphere_count == 0 && !isfinite(p->nodes.touching), "rest: there are spheres, or nodes that touch");
+    for (int s = 0; s < p->sphere_count; s++)
+        PDMC_REQUIRE(isinf(p->spheres[s].mass),
+                     "rest: spheres[%d] has a mass, only one that is moved has a place at rest", s);
     PDMC_REQUIRE(!p->is_single, "rest: bonds are computed in single precision");
     for (int k = 0; k < p->layer_count; k++)
         PDMC_REQUIRE(p->layers[k].condition.kind != PDMC_CONDITION_VELOCITY, "rest: conditions[%d] is a velocity", k);
@@ -349,6 +362,7 @@ static void drop(resting *r)
 {
     pdmc_free(r->x);
     pdmc_free(r->mass);
+    pdmc_free(r->mass_at);
     pdmc_free(r->force);
     pdmc_free(r->external);
 }
@@ -362,18 +376,21 @@ pdmc_status pdmc_particles_come_to_rest(pdmc_particles *p, double load, const pd
                  .options = options,
                  .rest = rest,
                  .load = load,
+                 .reach = pdmc_masses_reach(p),
                  .unknowns = (size_t)p->nodes.node_count * (size_t)p->nodes.dimension};
     pdmc_rest_memory *m = &p->rest;
     double *last = NULL;
     *rest = (pdmc_rest){0};
     PDMC_NEW(r.x, r.unknowns);
     PDMC_NEW(r.mass, r.unknowns);
+    PDMC_NEW(r.mass_at, r.unknowns);
     PDMC_NEW(r.force, r.unknowns);
     PDMC_NEW(r.external, r.unknowns);
     PDMC_NEW(last, r.unknowns);
     if (!m->external) PDMC_TRY(start(&r));
     memcpy(last, m->at_rest[0], r.unknowns * sizeof *last);
     guess(&r);
+    place_spheres(&r);
     PDMC_TRY(settle(&r));
     memcpy(m->at_rest[1], last, r.unknowns * sizeof *last);
     m->load[1] = m->load[0];

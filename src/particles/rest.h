@@ -10,8 +10,10 @@ typedef struct {
     double load[2];     // of the last one and the one before it
     double *at_rest[2]; // [unknowns] positions then; NULL before the first
     double *external;   // [unknowns] prescribed forces, and reactions where positions are prescribed, at the last one
-    double largest;     // norm of the external forces so far
-    double dissipated;  // where bonds broke: what a motion would have carried away
+    double *sphere_start, *sphere_centre,
+        *sphere_force; // [spheres, 3] at load 0; at the last one, with the nodes' force
+    double largest;    // norm of the external forces so far
+    double dissipated; // where bonds broke: what a motion would have carried away
 } pdmc_rest_memory;
 
 void pdmc_rest_clear(pdmc_rest_memory *memory);

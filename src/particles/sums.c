@@ -2,6 +2,7 @@
 #include "particles/particles_impl.h"
 
 #include <math.h>
+#include <string.h>
 
 double pdmc_particles_stable_step(const pdmc_particles *p)
 {
@@ -150,8 +151,14 @@ void pdmc_particles_spheres(const pdmc_particles *p, pdmc_rigid_sphere spheres[]
 {
     for (int s = 0; s < p->sphere_count; s++) {
         spheres[s] = p->spheres[s];
+        if (p->rest.count > 0) memset(spheres[s].velocity, 0, sizeof spheres[s].velocity);
         if (isinf(spheres[s].mass)) continue;
         for (int a = 0; a < PDMC_AXES; a++)
             spheres[s].velocity[a] -= 0.5 * p->step * p->sphere_force[PDMC_AXES * s + a] / spheres[s].mass;
     }
+}
+
+void pdmc_particles_sphere_forces(const pdmc_particles *p, double force[])
+{
+    for (int i = 0; i < PDMC_AXES * p->sphere_count; i++) force[i] = p->sphere_force[i];
 }

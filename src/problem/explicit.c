@@ -22,6 +22,7 @@ void pdmc_explicit_clear(pdmc_explicit *problem)
     pdmc_free(problem->conditions);
     pdmc_free(problem->spheres);
     pdmc_free(problem->no_fail);
+    pdmc_free(problem->interfaces);
     *problem = (pdmc_explicit){0};
 }
 
@@ -45,6 +46,7 @@ double pdmc_explicit_extent(const pdmc_explicit *problem, const pdmc_shape *shap
 
 double pdmc_explicit_nodes(const pdmc_explicit *problem, const pdmc_body *body)
 {
+    if (body->is_part) return 0.0;
     if (body->shape.kind == PDMC_SHAPE_NODES) return body->node_count;
     return pdmc_explicit_extent(problem, &body->shape) / pow(problem->spacing, problem->dimension);
 }

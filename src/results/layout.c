@@ -6,6 +6,7 @@
 #define MOTION "/motion/" // the group that only dynamic studies have
 #define EXPLICIT "/explicit/" // ... and that only explicit and quasi-static ones have
 #define REST EXPLICIT "rest/" // ... and only the latter
+#define SPHERE_FORCE EXPLICIT "spheres/force"
 #define SCALAR "/scalar/" // ... and scalar ones
 #define ELASTIC "/elastic/" // ... and elastic ones
 #define QUADRATURE "/quadrature/" // ... and those of quadrature
@@ -196,6 +197,8 @@ const pdmc_dataset pdmc_datasets[] = {
           PDMC_DIM_AXIS),
     REALS(EXPLICIT "spheres/velocity", particles.sphere_velocity, VELOCITY, "velocity", PDMC_DIM_RECORD,
           PDMC_DIM_SPHERE, PDMC_DIM_AXIS),
+    REALS(SPHERE_FORCE, particles.sphere_force, FORCE, "by which the nodes push it", PDMC_DIM_RECORD, PDMC_DIM_SPHERE,
+          PDMC_DIM_AXIS),
     OF_LIST("conditions/name", NAME, conditions, pdmc_condition_record, name, NONE, "condition", 1, PDMC_DIM_CONDITION,
             PDMC_DIM_END),
     REALS(EXPLICIT "conditions/force", particles.condition_force, FORCE, "the whole force on its nodes", PDMC_DIM_RECORD,
@@ -586,7 +589,7 @@ bool pdmc_attribute_belongs(const pdmc_results *results, const pdmc_attribute *a
 bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset)
 {
     // What files of earlier versions do not hold.
-    static const char *const later[] = {PEAK_MEMORY, ACCURACY, FRACTURE_ENERGY, SOLVER, LARGEST, GIVEN_REST, CONDITIONAL, REPLICATES, CONTROL, RELIABILITY, FORCE_ERROR};
+    static const char *const later[] = {PEAK_MEMORY, ACCURACY, FRACTURE_ENERGY, SOLVER, LARGEST, GIVEN_REST, SPHERE_FORCE, CONDITIONAL, REPLICATES, CONTROL, RELIABILITY, FORCE_ERROR};
     for (size_t i = 0; i < COUNT(later); i++)
         if (strncmp(dataset->path, later[i], strlen(later[i])) == 0) return true;
     return false;

@@ -15,6 +15,11 @@ static double poissons_ratio(const pdmc_explicit *problem)
     return problem->dimension == 3 ? 0.25 : pdmc_poissons_ratio(problem->assumption);
 }
 
+static bool has_modulus(const pdmc_explicit_material *m)
+{
+    return m->has_micromodulus || m->has_youngs_modulus || m->has_bulk_modulus;
+}
+
 static double micromodulus(const pdmc_explicit *p, const pdmc_explicit_material *m)
 {
     if (m->has_micromodulus) return m->micromodulus;
@@ -83,16 +88,43 @@ static double fibres_stiffen(const pdmc_explicit *p, const pdmc_explicit_materia
     return has_fibres ? fmax(1.0, 1.0 + (m->fibre_ratio - 1.0) / p->dimension) : 1.0;
 }
 
-// As of eq. 46 inside the stiffest and lightest material.
-static double stable_step(const pdmc_explicit *p, const neighbour_sums *sums)
+bool pdmc_explicit_has_joints(const pdmc_explicit *p)
+{
+    for (int i = 0; i < p->body_count; i++)
+        if (p->bodies[i].body.is_part) return true;
+    return p->interface_count > 0;
+}
+
+// As of eq. 46 with c over the density, and what of c fibres add.
+static double step_of(const pdmc_explicit *p, const neighbour_sums *sums, double by_density, double fibres)
 {
     const double volume = p->dimension == 3 ? gsl_pow_3(p->spacing) : gsl_pow_2(p->spacing) * p->thickness;
-    double step = INFINITY;
+    const double square = 2.0 * volume * by_density * sums->inverse_lengths * fibres;
+    const double rate = 2.0 * volume * by_density * p->bond_damping * sums->shares;
+    return (sqrt(rate * rate + 4.0 * square) - rate) / square; // see pdmc_particles_stable_step()
+}
+
+// Of the stiffest of all bonds on the lightest of all nodes, which may meet at an interface.
+static double least_stable_step(const pdmc_explicit *p, const neighbour_sums *sums)
+{
+    double stiffest = 0.0, lightest = INFINITY, fibres = 1.0;
     for (int i = 0; i < p->material_count; i++) {
-        const double by_density = 2.0 * volume * micromodulus(p, &p->materials[i]) / p->materials[i].density;
-        const double square = by_density * sums->inverse_lengths * fibres_stiffen(p, &p->materials[i]);
-        const double rate = by_density * p->bond_damping * sums->shares;
-        step = fmin(step, (sqrt(rate * rate + 4.0 * square) - rate) / square); // see pdmc_particles_stable_step()
+        stiffest = fmax(stiffest, micromodulus(p, &p->materials[i]));
+        lightest = fmin(lightest, p->materials[i].density);
+        fibres = fmax(fibres, fibres_stiffen(p, &p->materials[i]));
+    }
+    for (int i = 0; i < p->interface_count; i++)
+        if (has_modulus(&p->interfaces[i].bonds)) stiffest = fmax(stiffest, micromodulus(p, &p->interfaces[i].bonds));
+    return step_of(p, sums, stiffest / lightest, fibres);
+}
+
+static double stable_step(const pdmc_explicit *p, const neighbour_sums *sums)
+{
+    double step = INFINITY;
+    if (pdmc_explicit_has_joints(p)) return least_stable_step(p, sums);
+    for (int i = 0; i < p->material_count; i++) {
+        const pdmc_explicit_material *m = &p->materials[i];
+        step = fmin(step, step_of(p, sums, micromodulus(p, m) / m->density, fibres_stiffen(p, m)));
     }
     return step;
 }
@@ -121,6 +153,7 @@ typedef struct {
     pdmc_body *bodies;
     pdmc_layer_condition *conditions;
     pdmc_rigid_sphere *spheres;
+    pdmc_interface *interfaces;
 } lists;
 
 static void drop_lists(lists *l)
@@ -129,6 +162,7 @@ static void drop_lists(lists *l)
     pdmc_free(l->bodies);
     pdmc_free(l->conditions);
     pdmc_free(l->spheres);
+    pdmc_free(l->interfaces);
 }
 
 static const pdmc_explicit_sample as_it_is = {
@@ -143,6 +177,38 @@ static pdmc_brittle_material material_of(const pdmc_explicit *p, const pdmc_expl
     if (m->has_fracture_energy) law.critical_stretch /= sqrt(sample->youngs_modulus);
     law.strengths = sample->bond_strengths;
     return law;
+}
+
+// The materials on both sides of an interface.
+static void sides_of(const pdmc_explicit *p, const pdmc_explicit_interface *i, int sides[2])
+{
+    const bool of_bodies = i->between == PDMC_BETWEEN_BODIES;
+    sides[0] = of_bodies ? p->bodies[i->first_body].body.material : i->first_material;
+    sides[1] = of_bodies ? p->bodies[i->second_body].body.material : i->second_material;
+}
+
+// What the engine takes where an interface has no modulus; see pdmc_interface.
+static double mean_micromodulus(const pdmc_explicit *p, const pdmc_explicit_interface *i)
+{
+    int sides[2];
+    sides_of(p, i, sides);
+    return 2.0 / (1.0 / micromodulus(p, &p->materials[sides[0]]) + 1.0 / micromodulus(p, &p->materials[sides[1]]));
+}
+
+static pdmc_interface interface_of(const pdmc_explicit *p, const pdmc_explicit_interface *i,
+                                   const pdmc_explicit_sample *sample)
+{
+    pdmc_explicit_material bonds = i->bonds;
+    const bool of_bodies = i->between == PDMC_BETWEEN_BODIES, has_own = has_modulus(&bonds);
+    pdmc_interface interface = {.of_bodies = of_bodies,
+                                .first = of_bodies ? i->first_body : i->first_material,
+                                .second = of_bodies ? i->second_body : i->second_material};
+    if (!has_own) bonds.has_micromodulus = true, bonds.micromodulus = mean_micromodulus(p, i);
+    const pdmc_brittle_material law = material_of(p, &bonds, sample);
+    if (has_own) interface.micromodulus = law.micromodulus;
+    if (isfinite(law.critical_stretch)) interface.critical_stretch = law.critical_stretch;
+    memcpy(interface.name, bonds.name, sizeof interface.name);
+    return interface;
 }
 
 // Without times a condition is constant in a motion, and grows evenly with the load otherwise.
@@ -165,6 +231,18 @@ static pdmc_layer_condition condition_of(const pdmc_explicit *p, const pdmc_expl
     return layer;
 }
 
+// At rest a sphere's velocity is its way in a unit of the load.
+static pdmc_rigid_sphere sphere_of(const pdmc_explicit *p, const pdmc_explicit_sphere *s,
+                                   const pdmc_explicit_sample *sample)
+{
+    pdmc_rigid_sphere sphere = s->sphere;
+    for (int k = 0; k < PDMC_AXES; k++)
+        sphere.velocity[k] = p->load_steps > 0 ? s->displacement[k] / p->load_ends[1] * sample->load
+                                               : s->sphere.velocity[k] * sample->velocity;
+    if (!s->has_mass) sphere.mass = INFINITY;
+    return sphere;
+}
+
 static pdmc_status fill_lists(const pdmc_explicit *p, const pdmc_explicit_sample *sample, lists *l)
 {
     pdmc_status status = PDMC_OK;
@@ -172,17 +250,15 @@ static pdmc_status fill_lists(const pdmc_explicit *p, const pdmc_explicit_sample
     PDMC_NEW(l->bodies, p->body_count);
     PDMC_NEW(l->conditions, p->condition_count);
     PDMC_NEW(l->spheres, p->sphere_count);
+    PDMC_NEW(l->interfaces, p->interface_count);
     for (int i = 0; i < p->material_count; i++) l->materials[i] = material_of(p, &p->materials[i], sample);
+    for (int i = 0; i < p->interface_count; i++) l->interfaces[i] = interface_of(p, &p->interfaces[i], sample);
     for (int i = 0; i < p->condition_count; i++) l->conditions[i] = condition_of(p, &p->conditions[i], sample);
     for (int i = 0; i < p->body_count; i++) {
         l->bodies[i] = p->bodies[i].body;
         for (int k = 0; k < PDMC_AXES; k++) l->bodies[i].velocity[k] *= sample->velocity;
     }
-    for (int i = 0; i < p->sphere_count; i++) {
-        l->spheres[i] = p->spheres[i].sphere;
-        for (int k = 0; k < PDMC_AXES; k++) l->spheres[i].velocity[k] *= sample->velocity;
-        if (!p->spheres[i].has_mass) l->spheres[i].mass = INFINITY;
-    }
+    for (int i = 0; i < p->sphere_count; i++) l->spheres[i] = sphere_of(p, &p->spheres[i], sample);
 done:
     return status;
 }
@@ -208,11 +284,13 @@ static pdmc_particles_options options_of(const pdmc_explicit *p, const pdmc_expl
         .crack_count = p->crack_count,
         .condition_count = p->condition_count,
         .sphere_count = p->sphere_count,
+        .interface_count = p->interface_count,
         .materials = l->materials,
         .bodies = l->bodies,
         .cracks = p->cracks,
         .conditions = l->conditions,
         .spheres = l->spheres,
+        .interfaces = l->interfaces,
         .factor_count = sample->node_count,
         .stiffness_factors = sample->stiffness,
         .strength_factors = sample->strength,

@@ -55,6 +55,7 @@ static pdmc_status prepare_spheres(pdmc_recorder *r)
     PDMC_NEW(record->spheres, record->sphere_count);
     PDMC_NEW(record->sphere_centre, values);
     PDMC_NEW(record->sphere_velocity, values);
+    PDMC_NEW(record->sphere_force, values);
     PDMC_NEW(r->spheres, record->sphere_count);
     pdmc_particles_spheres(r->particles, r->spheres);
     for (int s = 0; s < record->sphere_count; s++) {
@@ -181,12 +182,14 @@ static void record_tips(pdmc_recorder *r, int at)
 static void record_spheres(pdmc_recorder *r, int at)
 {
     const size_t bytes = sizeof r->spheres->centre;
+    const size_t first = (size_t)PDMC_AXES * (size_t)at * (size_t)r->record->sphere_count;
     pdmc_particles_spheres(r->particles, r->spheres);
     for (int s = 0; s < r->record->sphere_count; s++) {
-        const size_t place = PDMC_AXES * ((size_t)at * (size_t)r->record->sphere_count + (size_t)s);
+        const size_t place = first + PDMC_AXES * (size_t)s;
         memcpy(&r->record->sphere_centre[place], r->spheres[s].centre, bytes);
         memcpy(&r->record->sphere_velocity[place], r->spheres[s].velocity, bytes);
     }
+    pdmc_particles_sphere_forces(r->particles, &r->record->sphere_force[first]);
 }
 
 static void record_conditions(pdmc_recorder *r, int at)

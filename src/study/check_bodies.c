@@ -15,17 +15,18 @@ static pdmc_study_address at(pdmc_study_section_id section, int index, const cha
     return (pdmc_study_address){section, index, key};
 }
 
-/// Refuses the second of two equal names in a list whose elements begin with their name.
-static pdmc_status check_names(const pdmc_study_reader *reader, pdmc_study_section_id id, const char *what)
+pdmc_status pdmc_study_check_names(const pdmc_study_reader *reader, pdmc_study_section_id id, const char *what)
 {
     const pdmc_study_section *section = &pdmc_study_sections[id];
     const char *home = pdmc_study_home(section, reader->study), *items;
+    const size_t place = pdmc_study_find_setting(id, "name")->offset;
     int count;
     memcpy(&items, home + section->items, sizeof items);
     memcpy(&count, home + section->count, sizeof count);
     for (int i = 0; i < count; i++)
         for (int j = 0; j < i; j++) {
-            const char *name = items + (size_t)i * section->size, *earlier = items + (size_t)j * section->size;
+            const char *name = items + (size_t)i * section->size + place;
+            const char *earlier = items + (size_t)j * section->size + place;
             if (strcmp(name, earlier) == 0)
                 return pdmc_study_refuse(reader, at(id, i, "name"),
                                          "\"%s\" is the name of an earlier %s too, must be another", name, what);
@@ -54,7 +55,7 @@ static pdmc_status check_material(const pdmc_study_reader *reader, int index)
 
 pdmc_status pdmc_study_check_particle_materials(const pdmc_study_reader *reader)
 {
-    pdmc_status status = check_names(reader, SECTION_PARTICLE_MATERIALS, "material");
+    pdmc_status status = pdmc_study_check_names(reader, SECTION_PARTICLE_MATERIALS, "material");
     if (reader->motion->material_count == 0)
         return pdmc_study_refuse(reader, at(SECTION_PARTICLE_MATERIALS, -1, NULL), "no material, must be one at least");
     for (int i = 0; i < reader->motion->material_count && status == PDMC_OK; i++) status = check_material(reader, i);
@@ -129,21 +130,40 @@ static pdmc_status check_size(const pdmc_study_reader *reader)
                              node_limit);
 }
 
+static double length(const double x[PDMC_AXES])
+{
+    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+}
+
+// A part has its host's nodes, and begins with its velocity.
+static pdmc_status check_part(const pdmc_study_reader *reader, int index)
+{
+    const pdmc_body *body = &reader->motion->bodies[index].body;
+    const pdmc_body *host = &reader->motion->bodies[body->host].body;
+    if (body->host == index || host->is_part)
+        return pdmc_study_refuse(reader, at(SECTION_BODIES, index, "inside"),
+                                 "\"%s\" is not allowed, must be an earlier body that is not inside another", host->name);
+    if (body->shape.kind == PDMC_SHAPE_NODES)
+        return pdmc_study_refuse(reader, at(SECTION_BODIES, index, "shape"),
+                                 "\"nodes\" is not allowed inside another body, whose nodes it has");
+    if (length(body->velocity) > 0.0)
+        return pdmc_study_refuse(reader, at(SECTION_BODIES, index, "velocity"),
+                                 "is given inside another body, must be left to that");
+    return PDMC_OK;
+}
+
 pdmc_status pdmc_study_check_bodies(const pdmc_study_reader *reader)
 {
     const pdmc_explicit *motion = reader->motion;
-    pdmc_status status = check_names(reader, SECTION_BODIES, "body");
+    pdmc_status status = pdmc_study_check_names(reader, SECTION_BODIES, "body");
     if (motion->body_count == 0)
         return pdmc_study_refuse(reader, at(SECTION_BODIES, -1, NULL), "no body, must be one at least");
     for (int i = 0; i < motion->body_count && status == PDMC_OK; i++)
         status = motion->bodies[i].file ? read_nodes(reader, i)
                                         : check_shape(reader, SECTION_BODIES, i, &motion->bodies[i].body.shape);
+    for (int i = 0; i < motion->body_count && status == PDMC_OK; i++)
+        if (motion->bodies[i].body.is_part) status = check_part(reader, i);
     return status == PDMC_OK ? check_size(reader) : status;
-}
-
-static double length(const double x[PDMC_AXES])
-{
-    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
 }
 
 // Sides along one line make no rectangle.
@@ -173,7 +193,7 @@ static pdmc_status check_crack(const pdmc_study_reader *reader, int index)
 
 pdmc_status pdmc_study_check_planar_cracks(const pdmc_study_reader *reader)
 {
-    pdmc_status status = check_names(reader, SECTION_PLANAR_CRACKS, "crack");
+    pdmc_status status = pdmc_study_check_names(reader, SECTION_PLANAR_CRACKS, "crack");
     for (int i = 0; i < reader->motion->crack_count && status == PDMC_OK; i++) status = check_crack(reader, i);
     return status;
 }
@@ -221,14 +241,14 @@ static pdmc_status check_condition(const pdmc_study_reader *reader, int index)
 
 pdmc_status pdmc_study_check_conditions(const pdmc_study_reader *reader)
 {
-    pdmc_status status = check_names(reader, SECTION_CONDITIONS, "condition");
+    pdmc_status status = pdmc_study_check_names(reader, SECTION_CONDITIONS, "condition");
     for (int i = 0; i < reader->motion->condition_count && status == PDMC_OK; i++) status = check_condition(reader, i);
     return status;
 }
 
 pdmc_status pdmc_study_check_spheres(const pdmc_study_reader *reader)
 {
-    return check_names(reader, SECTION_SPHERES, "sphere");
+    return pdmc_study_check_names(reader, SECTION_SPHERES, "sphere");
 }
 
 pdmc_status pdmc_study_check_no_fail(const pdmc_study_reader *reader)

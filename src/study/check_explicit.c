@@ -58,7 +58,7 @@ pdmc_status pdmc_study_check_loading(const pdmc_study_reader *reader)
     return refuse_motion(reader);
 }
 
-// Nodes that are not those of the grid have a stable step of their own, which the engine finds.
+// Nodes that are not those of the grid have a stable step of their own, which the engine finds; so have those of interfaces.
 static bool are_on_the_grid(const pdmc_explicit *m)
 {
     for (int i = 0; i < m->body_count; i++)
@@ -76,7 +76,7 @@ pdmc_status pdmc_study_check_time(const pdmc_study_reader *reader)
     if (m->duration / m->step > step_limit)
         return refuse(reader, SECTION_TIME, "step", m->step, "small, must be at least", m->duration / step_limit,
                       "a thousand millionth of the duration");
-    if (are_on_the_grid(m) && m->step > pdmc_explicit_stable_step(m))
+    if (are_on_the_grid(m) && !pdmc_explicit_has_joints(m) && m->step > pdmc_explicit_stable_step(m))
         return refuse(reader, SECTION_TIME, "step", m->step, "large, must be at most", pdmc_explicit_stable_step(m),
                       "the largest stable one");
     return PDMC_OK;

@@ -110,6 +110,12 @@ static void write_material(const writer *w, const pdmc_study_setting *s, const v
     write_quoted(w->out, w->motion->materials[*(const int *)field].name);
 }
 
+static void write_body(const writer *w, const pdmc_study_setting *s, const void *field)
+{
+    (void)s;
+    write_quoted(w->out, w->motion->bodies[*(const int *)field].body.name);
+}
+
 // A list of reals is present only with at least one.
 static void write_array(const writer *w, const pdmc_study_setting *s, const void *field)
 {
@@ -124,14 +130,15 @@ static write_function *const writers[KINDS] = {
     [KIND_REAL] = write_real, [KIND_OPTIONAL] = write_real, [KIND_PAIR] = write_pair, [KIND_INT] = write_int,
     [KIND_SEED] = write_seed, [KIND_TEXT] = write_text,     [KIND_NAME] = write_name, [KIND_CHOICE] = write_choice,
     [KIND_TIPS] = write_tips, [KIND_REALS] = write_array,       [KIND_CRACK] = write_crack,
-    [KIND_VECTOR] = write_vector, [KIND_MATERIAL] = write_material,
+    [KIND_VECTOR] = write_vector, [KIND_MATERIAL] = write_material, [KIND_BODY] = write_body,
 };
 
 static bool is_present(const writer *w, const pdmc_study_setting *s, const char *base)
 {
     if (!pdmc_study_setting_of_kind(s, w->problem->kind) || !pdmc_study_setting_belongs(s, base)) return false;
     if (s->kind == KIND_REALS) return *(const int *)(base + s->flag) > 0;
-    return s->kind != KIND_OPTIONAL || *(const bool *)(base + s->flag);
+    const bool is_optional = s->kind == KIND_OPTIONAL || (s->kind == KIND_BODY && s->flag > 0);
+    return !is_optional || *(const bool *)(base + s->flag);
 }
 
 static void write_record(const writer *w, pdmc_study_section_id section, const char *base, const char *indent)

@@ -56,6 +56,14 @@
 #define MODULUS(key, field, its_unit, text)                                                                            \
     {SECTION_PARTICLE_MATERIALS, key, KIND_OPTIONAL, its_unit, POSITIVE, offsetof(pdmc_explicit_material, field),      \
      .flag = offsetof(pdmc_explicit_material, has_##field), .fallback = "none", .doc = text}
+#define OF_INTERFACE(key, field, its_unit, text)                                                                       \
+    {SECTION_INTERFACES, key, KIND_OPTIONAL, its_unit, POSITIVE, offsetof(pdmc_explicit_interface, bonds.field),       \
+     .flag = offsetof(pdmc_explicit_interface, bonds.has_##field), .fallback = "none", .doc = text}
+#define SIDE(key, field, its_kind, bits)                                                                               \
+    {SECTION_INTERFACES, key, its_kind, .offset = offsetof(pdmc_explicit_interface, field), WHERE("between", bits),    \
+     .doc = "on one side"}
+#define MATERIALS ONLY(PDMC_BETWEEN_MATERIALS)
+#define BODIES ONLY(PDMC_BETWEEN_BODIES)
 #define MICROMODULUS ONLY(PDMC_QUANTITY_MICROMODULUS)
 #define STIFFNESS ONLY(PDMC_QUANTITY_STIFFNESS)
 #define NOISE (15U * ONLY(PDMC_QUANTITY_LOAD_NOISE_LEFT)) // of the four sides
@@ -103,6 +111,7 @@
 #define PRECISIONS CHOICES("double", "single")
 #define SHAPES CHOICES("box", "cylinder", "ball")
 #define BODY_SHAPES CHOICES("box", "cylinder", "ball", "nodes")
+#define BETWEEN CHOICES("materials", "bodies")
 #define PLANAR_CRACKS CHOICES("segment", "disc", "rectangle")
 #define SPACES CHOICES("continuous", "discontinuous", "mixed")
 #define MIXED ONLY(PDMC_SPACE_MIXED)
@@ -424,7 +433,29 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_BODIES, "material", KIND_MATERIAL, .offset = offsetof(pdmc_explicit_body, body.material),
      .fallback = "the first material", .doc = "what it is made of"},
     {SECTION_BODIES, "velocity", KIND_VECTOR, UNIT_VELOCITY, ANY, offsetof(pdmc_explicit_body, body.velocity), .fallback = "zero",
-     .doc = "at the start"},
+     .doc = "at the start; of a body inside another that of the other"},
+    {SECTION_BODIES, "inside", KIND_BODY, .offset = offsetof(pdmc_explicit_body, body.host),
+     .flag = offsetof(pdmc_explicit_body, body.is_part), .fallback = "none",
+     .doc = "another body, whose nodes in this one's shape are this one's, bonded with the rest and with its other parts as "
+            "interfaces say; of two parts the later one has them"},
+
+    {SECTION_INTERFACES, "name", KIND_NAME, .offset = offsetof(pdmc_explicit_interface, bonds.name),
+     .fallback = "interface1, interface2, ...", .doc = "each name once"},
+    {SECTION_INTERFACES, "between", KIND_CHOICE, .offset = offsetof(pdmc_explicit_interface, between), .choices = BETWEEN,
+     .fallback = "materials",
+     .doc = "wherever nodes of two materials are bonded, which may be the same in two parts; or between two bodies, which are "
+            "bonded by it"},
+    SIDE("first_material", first_material, KIND_MATERIAL, MATERIALS),
+    SIDE("second_material", second_material, KIND_MATERIAL, MATERIALS),
+    SIDE("first_body", first_body, KIND_BODY, BODIES),
+    SIDE("second_body", second_body, KIND_BODY, BODIES),
+    OF_INTERFACE("youngs_modulus", youngs_modulus, UNIT_STRESS,
+                 "E of its bonds; without it and c the harmonic mean of both materials' c, that of two halves of a bond in series"),
+    OF_INTERFACE("micromodulus", micromodulus, UNIT_MICROMODULUS, "c of the bond force c s, instead of E"),
+    OF_INTERFACE("fracture_energy", fracture_energy, UNIT_LINE_FORCE,
+                 "G_0; without it and s_0 a bond has the s_0 of its weaker node"),
+    OF_INTERFACE("critical_stretch", critical_stretch, UNIT_NONE,
+                 "s_0 at which its bonds break, instead of G_0; without strengthening"),
 
     {SECTION_PLANAR_CRACKS, "name", KIND_NAME, .offset = offsetof(pdmc_planar_crack, name),
      .fallback = "crack1, crack2, ...", .doc = "each name once"},
@@ -473,9 +504,11 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_SPHERES, "centre", KIND_VECTOR, UNIT_LENGTH, ANY, offsetof(pdmc_explicit_sphere, sphere.centre),
      .doc = "at the start"},
     {SECTION_SPHERES, "velocity", KIND_VECTOR, UNIT_VELOCITY, ANY, offsetof(pdmc_explicit_sphere, sphere.velocity),
-     .fallback = "zero", .doc = "at the start"},
+     OF(PDMC_EXPLICIT), .fallback = "zero", .doc = "at the start"},
+    {SECTION_SPHERES, "displacement", KIND_VECTOR, UNIT_LENGTH, ANY, offsetof(pdmc_explicit_sphere, displacement),
+     OF(PDMC_QUASI_STATIC), .fallback = "zero", .doc = "of its centre at the last load; in between it grows evenly with the load"},
     {SECTION_SPHERES, "mass", KIND_OPTIONAL, UNIT_MASS, POSITIVE, offsetof(pdmc_explicit_sphere, sphere.mass),
-     .flag = offsetof(pdmc_explicit_sphere, has_mass), .fallback = "none",
+     OF(PDMC_EXPLICIT), .flag = offsetof(pdmc_explicit_sphere, has_mass), .fallback = "none",
      .doc = "without it the sphere keeps its velocity"},
     {SECTION_SPHERES, "stiffness", KIND_REAL, UNIT_PENALTY, POSITIVE, offsetof(pdmc_explicit_sphere, sphere.stiffness),
      .doc = "of the force stiffness (radius - r)^2 on a unit of the volume of a node inside"},

@@ -110,6 +110,7 @@ void pdmc_study_print_range(FILE *out, const pdmc_study_setting *setting)
     else if (setting->kind == KIND_NAME) fprintf(out, "a text of 1 to %d letters, digits, _ or -", PDMC_NAME_SIZE - 1);
     else if (setting->kind == KIND_CRACK) fputs("the name of a crack", out);
     else if (setting->kind == KIND_MATERIAL) fputs("the name of one of the materials", out);
+    else if (setting->kind == KIND_BODY) fputs(setting->flag > 0 ? "the name of an earlier body" : "the name of one of the bodies", out);
     else if (setting->kind == KIND_TIPS) fputs("an array of names of tips", out);
     else if (setting->kind == KIND_REALS) print_array(out, &setting->range);
     else print_bounds(out, &setting->range);

@@ -70,6 +70,7 @@ typedef enum {
     SECTION_PARTICLE_GRID,
     SECTION_PARTICLE_MATERIALS,
     SECTION_BODIES,
+    SECTION_INTERFACES,
     SECTION_PLANAR_CRACKS,
     SECTION_CONDITIONS,
     SECTION_SPHERES,
@@ -106,6 +107,7 @@ typedef enum {
     KIND_CHOICE,
     KIND_CRACK, // the name of a crack, kept as its number
     KIND_MATERIAL, // the name of one of the materials of an explicit study, kept as its number
+    KIND_BODY, // ... of one of its bodies; with a flag it may be absent
     KIND_TIPS,  // names of crack tips
     KIND_REALS, // an array of reals: offset is that of the pointer, flag that of the count; may be absent
     KINDS
@@ -337,6 +339,10 @@ PDMC_NODISCARD pdmc_status pdmc_study_check_quadrature(const pdmc_study_reader *
 PDMC_NODISCARD pdmc_status pdmc_study_check_particle_grid(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_particle_materials(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_bodies(const pdmc_study_reader *reader);
+/// Refuses the second of two equal names in a list. @param[in] what  the list is of
+PDMC_NODISCARD pdmc_status pdmc_study_check_names(const pdmc_study_reader *reader, pdmc_study_section_id id,
+                                                  const char *what);
+PDMC_NODISCARD pdmc_status pdmc_study_check_interfaces(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_planar_cracks(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_conditions(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_spheres(const pdmc_study_reader *reader);

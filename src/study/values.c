@@ -197,6 +197,22 @@ static pdmc_status read_material(const pdmc_study_record *r, const pdmc_study_se
     return PDMC_OK;
 }
 
+// Of the list of bodies itself only those that were read have names.
+static pdmc_status read_body(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value)
+{
+    const pdmc_explicit *motion = r->reader->motion;
+    const bool given = true;
+    int body = 0;
+    if (!value) return PDMC_OK;
+    if (config_setting_type(value) != CONFIG_TYPE_STRING) return pdmc_study_refuse_kind(r, s, value);
+    const char *name = config_setting_get_string(value);
+    while (body < motion->body_count && strcmp(motion->bodies[body].body.name, name) != 0) body++;
+    if (!*name || body == motion->body_count) return pdmc_study_refuse_value(r, s, value, "");
+    if (s->flag > 0) memcpy((char *)r->base + s->flag, &given, sizeof given);
+    store(r, s, &body, sizeof body);
+    return PDMC_OK;
+}
+
 static pdmc_status read_tips(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value)
 {
     if (value && !is_sequence(value)) return pdmc_study_refuse_kind(r, s, value);
@@ -225,7 +241,7 @@ static read_function *const readers[KINDS] = {
     [KIND_REAL] = read_real, [KIND_OPTIONAL] = read_optional, [KIND_PAIR] = read_pair,   [KIND_INT] = read_int,
     [KIND_SEED] = read_seed, [KIND_TEXT] = read_text,         [KIND_NAME] = read_name,   [KIND_CHOICE] = read_choice,
     [KIND_TIPS] = read_tips, [KIND_REALS] = read_reals,       [KIND_CRACK] = read_crack,
-    [KIND_VECTOR] = read_vector, [KIND_MATERIAL] = read_material,
+    [KIND_VECTOR] = read_vector, [KIND_MATERIAL] = read_material, [KIND_BODY] = read_body,
 };
 
 pdmc_status pdmc_study_read_value(const pdmc_study_record *r, const pdmc_study_setting *s,

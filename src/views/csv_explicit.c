@@ -30,6 +30,7 @@ static void put_header(const pdmc_results *r, FILE *stream)
     for (int s = 0; s < p->sphere_count; s++) {
         pdmc_csv_axes(stream, p->spheres[s].name, ".centre", r->length_unit);
         pdmc_csv_axes(stream, p->spheres[s].name, ".velocity", velocity);
+        pdmc_csv_axes(stream, p->spheres[s].name, ".force", r->force_unit);
     }
     for (int c = 0; c < p->condition_count; c++) {
         pdmc_csv_axes(stream, p->conditions[c].name, ".force", r->force_unit);
@@ -62,6 +63,7 @@ pdmc_status pdmc_csv_records(const pdmc_results *results, FILE *stream)
         for (int s = 0; s < p->sphere_count; s++) {
             pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_sphere(p, p->sphere_centre, i, s));
             pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_sphere(p, p->sphere_velocity, i, s));
+            pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_sphere(p, p->sphere_force, i, s));
         }
         for (int c = 0; c < p->condition_count; c++) {
             pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_condition(p, p->condition_force, i, c));

@@ -60,16 +60,18 @@ static json_t *tip(const pdmc_explicit_record *p, int t)
 
 static json_t *sphere(const pdmc_explicit_record *p, int s)
 {
-    json_t *object = json_object(), *centre = json_array(), *velocity = json_array();
+    json_t *object = json_object(), *centre = json_array(), *velocity = json_array(), *force = json_array();
     pdmc_json_put(&object, "name", pdmc_json_text(p->spheres[s].name));
     pdmc_json_put(&object, "radius", pdmc_json_number(p->spheres[s].radius));
     pdmc_json_put(&object, "mass", pdmc_json_number(p->spheres[s].mass));
     for (int i = 0; i < p->record_count; i++) {
         pdmc_json_append(&centre, pdmc_json_numbers(PDMC_AXES, pdmc_of_sphere(p, p->sphere_centre, i, s)));
         pdmc_json_append(&velocity, pdmc_json_numbers(PDMC_AXES, pdmc_of_sphere(p, p->sphere_velocity, i, s)));
+        pdmc_json_append(&force, pdmc_json_numbers(PDMC_AXES, pdmc_of_sphere(p, p->sphere_force, i, s)));
     }
     pdmc_json_put(&object, "centre", centre);
     pdmc_json_put(&object, "velocity", velocity);
+    pdmc_json_put(&object, "force", force);
     return object;
 }
 

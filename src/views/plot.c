@@ -139,7 +139,7 @@ static pdmc_status plot_explicit(const pdmc_results *r, const char *folder)
     pdmc_status status = PDMC_OK;
     const pdmc_explicit_record *p = &r->particles;
     PDMC_TRY(plot(r, folder, "energies", OF_EXPLICIT_ENERGIES, 0, r->measure));
-    if (p->residual && p->condition_count > 0)
+    if (p->residual && p->condition_count + p->sphere_count > 0)
         PDMC_TRY(plot(r, folder, "load_displacement", OF_LOAD_DISPLACEMENT, 0, r->measure));
     if (p->tip_count > 0) PDMC_TRY(plot(r, folder, "tips", OF_EXPLICIT_TIPS, 0, r->measure));
     if (p->state_count > 0) PDMC_TRY(plot(r, folder, "damage", OF_EXPLICIT_DAMAGE, 0, r->measure));

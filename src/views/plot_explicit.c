@@ -55,10 +55,8 @@ static bool moves(const pdmc_explicit_record *p, int condition)
            pdmc_norm_of(pdmc_of_condition(p, p->condition_displacement, p->record_count - 1, condition)) > 0.0;
 }
 
-void pdmc_draw_load_displacement(const pdmc_results *r, const pdmc_figure *figure)
+static void put_forces_of_conditions(const pdmc_explicit_record *p, FILE *script)
 {
-    FILE *script = figure->script;
-    const pdmc_explicit_record *p = &r->particles;
     for (int c = 0; c < p->condition_count; c++) {
         fprintf(script, "$condition%d << EOD\n", c);
         for (int i = 0; i < p->record_count; i += stride(p))
@@ -66,18 +64,44 @@ void pdmc_draw_load_displacement(const pdmc_results *r, const pdmc_figure *figur
                     pdmc_norm_of(pdmc_of_condition(p, p->condition_force, i, c)));
         fputs("EOD\n", script);
     }
+}
+
+// By the way of the centre.
+static void put_forces_of_spheres(const pdmc_explicit_record *p, FILE *script)
+{
+    for (int s = 0; s < p->sphere_count; s++) {
+        const double *first = pdmc_of_sphere(p, p->sphere_centre, 0, s);
+        fprintf(script, "$sphere%d << EOD\n", s);
+        for (int i = 0; i < p->record_count; i += stride(p)) {
+            const double *now = pdmc_of_sphere(p, p->sphere_centre, i, s);
+            const double way[PDMC_AXES] = {now[0] - first[0], now[1] - first[1], now[2] - first[2]};
+            fprintf(script, "%.9g %.9g\n", pdmc_norm_of(way), pdmc_norm_of(pdmc_of_sphere(p, p->sphere_force, i, s)));
+        }
+        fputs("EOD\n", script);
+    }
+}
+
+static void put_curve(const pdmc_figure *figure, int curve, const char *data, int number, const char *name)
+{
+    fprintf(figure->script, "%s $%s%d with linespoints pointtype 7 pointsize 0.6 dashtype %d title ",
+            curve > 0 ? "," : "plot", data, number, number % 2 + 1);
+    pdmc_figure_text(figure, name);
+}
+
+void pdmc_draw_load_displacement(const pdmc_results *r, const pdmc_figure *figure)
+{
+    FILE *script = figure->script;
+    const pdmc_explicit_record *p = &r->particles;
+    int curves = 0;
+    put_forces_of_conditions(p, script);
+    put_forces_of_spheres(p, script);
     pdmc_figure_label(figure, "xlabel", "Displacement (", r->length_unit, ")");
     pdmc_figure_label(figure, "ylabel", "Force (", r->force_unit, ")");
     fputs("set xrange [0:*]\nset yrange [0:*]\nset key outside top center horizontal\n", script);
-    const char *before = "plot";
-    for (int c = 0; c < p->condition_count; c++) {
-        if (!moves(p, c)) continue;
-        fprintf(script, "%s $condition%d with linespoints pointtype 7 pointsize 0.6 dashtype %d title ", before, c,
-                c % 2 + 1);
-        pdmc_figure_text(figure, p->conditions[c].name);
-        before = ",";
-    }
-    fputs(before[0] == 'p' ? "plot NaN notitle\n" : "\n", script);
+    for (int c = 0; c < p->condition_count; c++)
+        if (moves(p, c)) put_curve(figure, curves++, "condition", c, p->conditions[c].name);
+    for (int s = 0; s < p->sphere_count; s++) put_curve(figure, curves++, "sphere", s, p->spheres[s].name);
+    fputs(curves == 0 ? "plot NaN notitle\n" : "\n", script);
 }
 
 void pdmc_draw_explicit_tips(const pdmc_results *r, const pdmc_figure *figure)

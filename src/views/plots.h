@@ -39,7 +39,7 @@ void pdmc_draw_scalar_field(const pdmc_results *r, const pdmc_figure *figure);
 
 /// What came in and what it has become, growth of the tips, both over time, of an explicit study.
 void pdmc_draw_explicit_energies(const pdmc_results *r, const pdmc_figure *figure);
-/// The forces of conditions over their displacements, of those that move, of a quasi-static study.
+/// The forces of conditions over their displacements, of those that move, and of spheres over their way, of a quasi-static study.
 void pdmc_draw_load_displacement(const pdmc_results *r, const pdmc_figure *figure);
 void pdmc_draw_explicit_tips(const pdmc_results *r, const pdmc_figure *figure);
 

@@ -108,10 +108,11 @@ static void print_spheres(const pdmc_results *r, int last, FILE *stream)
     const pdmc_explicit_record *p = &r->particles;
     char n[6][PDMC_BRIEF_SIZE], text[PDMC_LINE_SIZE];
     if (p->sphere_count == 0) return;
-    fprintf(stream, "\nspheres %32s %32s\n", "centre", "velocity");
+    const bool rests = pdmc_is_at_rest(p);
+    fprintf(stream, "\nspheres %32s %32s\n", "centre", rests ? "force" : "velocity");
     for (int s = 0; s < p->sphere_count; s++) {
         const double *x = pdmc_of_sphere(p, p->sphere_centre, last, s);
-        const double *v = pdmc_of_sphere(p, p->sphere_velocity, last, s);
+        const double *v = pdmc_of_sphere(p, rests ? p->sphere_force : p->sphere_velocity, last, s);
         fprintf(stream, "  %-15.15s %10s %10s %10s %12s %10s %10s\n", pdmc_one_line(text, p->spheres[s].name),
                 pdmc_brief(n[0], x[0]), pdmc_brief(n[1], x[1]), pdmc_brief(n[2], x[2]), pdmc_brief(n[3], v[0]),
                 pdmc_brief(n[4], v[1]), pdmc_brief(n[5], v[2]));

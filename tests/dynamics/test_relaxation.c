@@ -52,6 +52,24 @@ static void adapts(void **state)
     assert_true(adaptive < best);
 }
 
+static pdmc_status stiff_spring(void *context, const double x[], double force[])
+{
+    force[0] = *(double *)context * (1.0 - x[0]);
+    return PDMC_OK;
+}
+
+/// A mass is stable up to a stiffness of 4 times itself, also where every other step swings back and the motion begins anew.
+static void stiffest_mode(void **unused)
+{
+    (void)unused;
+    double mass = 1.0, stiffness = 3.9, x = 0.0;
+    const pdmc_relaxation_model model = {1, stiff_spring, &stiffness, &mass};
+    const pdmc_relaxation_options options = {1.0, 1e-9, 1000, -1.0};
+    pdmc_relaxation_state state;
+    CHECK_OK(pdmc_relax(&model, &options, &x, NULL, NULL, &state));
+    CHECK_NEAR(x, 1.0, 1e-9);
+}
+
 static bool stop_at_five(void *context, const pdmc_relaxation_state *state)
 {
     *(int *)context = state->steps;
@@ -94,6 +112,7 @@ static void memory(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(adapts), cmocka_unit_test(failures), cmocka_unit_test(memory)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(adapts), cmocka_unit_test(stiffest_mode),
+                                       cmocka_unit_test(failures), cmocka_unit_test(memory)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

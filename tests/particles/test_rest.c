@@ -313,11 +313,6 @@ static void what_does_not_come_to_rest_is_said(void **state)
     CHECK_STATUS(pdmc_particles_come_to_rest(p, 1.0, &options, &rest), PDMC_ERR_ARG);
     pdmc_particles_destroy(p);
     s.options.condition_count = 0;
-    s.options.contact_distance = 1.0;
-    p = create(&s);
-    CHECK_STATUS(pdmc_particles_come_to_rest(p, 1.0, &options, &rest), PDMC_ERR_ARG);
-    pdmc_particles_destroy(p);
-    s.options.contact_distance = 0.0;
     s.options.precision = PDMC_PRECISION_SINGLE;
     p = create(&s);
     CHECK_STATUS(pdmc_particles_come_to_rest(p, 1.0, &options, &rest), PDMC_ERR_ARG);

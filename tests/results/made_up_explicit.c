@@ -97,6 +97,7 @@ static void make_spheres(pdmc_explicit_record *p)
     NEW(p->spheres, SPHERES);
     NEW(p->sphere_centre, 3 * SPHERES * RECORDS);
     NEW(p->sphere_velocity, 3 * SPHERES * RECORDS);
+    NEW(p->sphere_force, 3 * SPHERES * RECORDS);
     for (int s = 0; s < SPHERES; s++) {
         snprintf(p->spheres[s].name, sizeof p->spheres[s].name, "sphere%d", s + 1);
         p->spheres[s].radius = s + 1.0;
@@ -105,6 +106,7 @@ static void make_spheres(pdmc_explicit_record *p)
     for (int i = 0; i < 3 * SPHERES * RECORDS; i++) {
         p->sphere_centre[i] = 0.25 * i;
         p->sphere_velocity[i] = -0.5 * i;
+        p->sphere_force[i] = 7.0 * i;
     }
 }
 

@@ -36,6 +36,7 @@ static void check_columns(const pdmc_explicit_record *a, const pdmc_explicit_rec
         {a->tip_speed, b->tip_speed, a->tip_count * a->record_count},
         {a->sphere_centre, b->sphere_centre, 3 * a->sphere_count * a->record_count},
         {a->sphere_velocity, b->sphere_velocity, 3 * a->sphere_count * a->record_count},
+        {a->sphere_force, b->sphere_force, 3 * a->sphere_count * a->record_count},
         {a->node_position, b->node_position, 3 * a->node_count},
         {a->snapshot_time, b->snapshot_time, a->snapshot_count},
         {a->displacement, b->displacement, 3 * a->state_count},

@@ -36,7 +36,11 @@ static const char plane[] =
     "              { name = \"glass\"; density = 2.5; micromodulus = 7e3; fracture_energy = 1e-3; strengthening = "
     "0.25; } );\n"
     "bodies = ( { name = \"plate\"; from = [-25, -25]; to = [25, 25]; material = \"glass\"; velocity = [0, -1]; },\n"
-    "           { name = \"disc\"; shape = \"ball\"; centre = [0, 30]; radius = 2; } );\n"
+    "           { name = \"disc\"; shape = \"ball\"; centre = [0, 30]; radius = 2; },\n"
+    "           { name = \"grain\"; inside = \"plate\"; from = [-25, -25]; to = [0, 0]; } );\n"
+    "interfaces = ( { first_material = \"steel\"; second_material = \"glass\"; fracture_energy = 1e-4; },\n"
+    "               { name = \"glue\"; between = \"bodies\"; first_body = \"plate\"; second_body = \"disc\"; youngs_modulus = 3; \n"
+    "                 critical_stretch = 0.1; } );\n"
     "cracks = ( { name = \"middle\"; from = [-5, 0]; to = [5, 0]; } );\n"
     "no_fail = ( { from = [-25, 20]; to = [25, 25]; }, { shape = \"ball\"; centre = [0, 30]; radius = 2.5; } );\n"
     "conditions = ( { from = [-25.0, 23.4]; to = [25.0, 25.0]; y = 20; times = [5, 5, 10, 10]; factors = [1, -1, -1, "
@@ -86,6 +90,20 @@ static void what_is_given_is_kept(void **state)
     assert_int_equal(m->bodies[1].body.material, 0);
     assert_int_equal(m->bodies[1].body.shape.kind, PDMC_SHAPE_BALL);
     CHECK_NEAR(m->bodies[0].body.velocity[1], -1.0, 0.0);
+    assert_int_equal(m->body_count, 3);
+    assert_true(m->bodies[2].body.is_part && !m->bodies[1].body.is_part);
+    assert_int_equal(m->bodies[2].body.host, 0);
+    assert_int_equal(m->interface_count, 2);
+    const pdmc_explicit_interface *by_material = &m->interfaces[0], *glue = &m->interfaces[1];
+    assert_int_equal(by_material->between, PDMC_BETWEEN_MATERIALS);
+    assert_int_equal(by_material->second_material, 1);
+    assert_true(by_material->bonds.has_fracture_energy && !by_material->bonds.has_youngs_modulus);
+    assert_int_equal(glue->between, PDMC_BETWEEN_BODIES);
+    assert_int_equal(glue->second_body, 1);
+    CHECK_NEAR(glue->bonds.critical_stretch, 0.1, 0.0);
+    CHECK_NEAR(glue->bonds.youngs_modulus, 3.0, 0.0);
+    assert_string_equal(glue->bonds.name, "glue");
+    CHECK_NEAR(pdmc_explicit_nodes(m, &m->bodies[2].body), 0.0, 0.0);
     assert_int_equal(m->crack_count, 1);
     CHECK_NEAR(m->cracks[0].to[0], 5.0, 0.0);
     const pdmc_layer_condition *strip = &m->conditions[0].layer, *force = &m->conditions[1].layer;
@@ -142,6 +160,7 @@ static void the_resolved_study_reads_back(void **state)
         assert_int_equal(first.motion.body_count, second.motion.body_count);
         assert_memory_equal(first.motion.bodies, second.motion.bodies,
                             (size_t)first.motion.body_count * sizeof *first.motion.bodies);
+        assert_int_equal(first.motion.interface_count, second.motion.interface_count);
         assert_memory_equal(first.motion.cracks, second.motion.cracks,
                             (size_t)first.motion.crack_count * sizeof *first.motion.cracks);
         assert_memory_equal(first.motion.materials, second.motion.materials,
@@ -256,6 +275,38 @@ static void bodies_and_cracks_that_cannot_be(void **state)
         {CRACKS,
          "cracks = ( { name = \"c\"; from = [0, 0]; to = [1, 0]; }, { name = \"c\"; from = [0, 0]; to = [0, 1]; } );",
          "study.cfg:5: cracks[1].name: \"c\" is the name of an earlier crack too, must be another"},
+    };
+    EXPECT(mistakes);
+}
+
+#define TWO_BODIES "bodies = ( { from = [0, 0, 0]; to = [4, 4, 4]; }, { from = [5, 0, 0]; to = [9, 4, 4]; } ); "
+#define PART "bodies = ( { from = [0, 0, 0]; to = [4, 4, 4]; }, { inside = \"body1\"; from = [3, 0, 0]; to = [9, 4, 4]; } "
+#define BETWEEN_BODIES "between = \"bodies\"; first_body = \"body1\"; second_body = \"body2\"; "
+
+static void parts_and_interfaces_that_cannot_be(void **state)
+{
+    (void)state;
+    const mistake mistakes[] = {
+        {BODIES, "bodies = ( { from = [0, 0, 0]; to = [4, 4, 4]; inside = \"body2\"; } );",
+         "study.cfg:4: bodies[0].inside: \"body2\" is not allowed, must be the name of an earlier body"},
+        {BODIES, "bodies = ( { from = [0, 0, 0]; to = [4, 4, 4]; inside = \"body1\"; } );",
+         "study.cfg:4: bodies[0].inside: \"body1\" is not allowed, must be an earlier body that is not inside another"},
+        {BODIES, PART ", { inside = \"body2\"; from = [3, 0, 0]; to = [9, 4, 4]; } );",
+         "study.cfg:4: bodies[2].inside: \"body2\" is not allowed, must be an earlier body that is not inside another"},
+        {BODIES, PART ", { inside = \"body1\"; from = [3, 0, 0]; to = [9, 4, 4]; velocity = [0, 1, 0]; } );",
+         "study.cfg:4: bodies[2].velocity: is given inside another body, must be left to that"},
+        {BODIES, TWO_BODIES "interfaces = ( { between = \"bodies\"; first_body = \"body1\"; } );",
+         "study.cfg:4: interfaces[0].second_body: is missing, must be the name of one of the bodies"},
+        {BODIES, TWO_BODIES "interfaces = ( { between = \"bodies\"; first_body = \"body1\"; second_body = \"body1\"; } );",
+         "study.cfg:4: interfaces[0].second_body: is the first body too, must be another"},
+        {BODIES, TWO_BODIES "interfaces = ( { first_material = \"material1\"; second_material = \"material1\"; first_body = \"body1\"; } );",
+         "study.cfg:4: interfaces[0].first_body: is no setting of the between \"materials\""},
+        {BODIES, TWO_BODIES "interfaces = ( { " BETWEEN_BODIES "}, { " BETWEEN_BODIES "} );",
+         "study.cfg:4: interfaces[1]: is between the same two as an earlier one, must be between others"},
+        {BODIES, TWO_BODIES "interfaces = ( { " BETWEEN_BODIES "youngs_modulus = 1; micromodulus = 1; } );",
+         "study.cfg:4: interfaces[0].micromodulus: is given beside youngs_modulus, must be one of the two or none"},
+        {BODIES, TWO_BODIES "interfaces = ( { " BETWEEN_BODIES "critical_stretch = 1; fracture_energy = 1; } );",
+         "study.cfg:4: interfaces[0].critical_stretch: is given beside fracture_energy, must be one of the two or none"},
     };
     EXPECT(mistakes);
 }
@@ -454,6 +505,7 @@ static const char slow[] =
     "bodies = ( { from = [0, 0]; to = [8, 8]; } );\n"
     "conditions = ( { prescribed = \"displacement\"; from = [0, 0]; to = [8, 1]; y = 0; },\n"
     "               { prescribed = \"force\"; from = [0, 7]; to = [8, 8]; y = 1; times = [0, 3]; factors = [0, 2]; } );\n"
+    "spheres = ( { radius = 2; centre = [4, 10]; displacement = [0.0, -0.25]; stiffness = 5; } );\n"
     "loading = { steps = 7; end = 3.0; tolerance = 1e-5; most_steps = 500; }; record = { snapshots = 4; };\n";
 
 static void loads_are_read(void **state)
@@ -468,7 +520,9 @@ static void loads_are_read(void **state)
     CHECK_NEAR(m->load_ends[1], 3.0, 0.0);
     CHECK_NEAR(m->rest_tolerance, 1e-5, 0.0);
     assert_int_equal(m->most_relaxation_steps, 500);
-    CHECK_NEAR(m->contact_distance, 0.0, 0.0);
+    CHECK_NEAR(m->contact_distance, 1.35, 0.0);
+    assert_int_equal(m->sphere_count, 1);
+    CHECK_NEAR(m->spheres[0].displacement[1], -0.25, 0.0);
     assert_int_equal(m->snapshots, 4);
     assert_false(m->has_interval || m->has_speed_window || m->has_step);
     CHECK_OK(read_text(first.resolved, &second));
@@ -490,9 +544,9 @@ static void what_moves_is_not_at_rest(void **state)
          "study.cfg:4: conditions[0].prescribed: \"velocity\" is not allowed in a quasi-static study, must be \"displacement\" or "
          "\"force\""},
         {"time = { duration = 1; };", "study.cfg:4: time: is not part of a study of kind \"quasi_static\""},
-        {"spheres = ( );", "study.cfg:4: spheres: is not part of a study of kind \"quasi_static\""},
+        {"spheres = ( { radius = 1; centre = [0, 0]; stiffness = 1; velocity = [1, 0]; } );", "study.cfg:4: spheres[0].velocity: is no setting of a study of kind \"quasi_static\""},
+        {"spheres = ( { radius = 1; centre = [0, 0]; stiffness = 1; mass = 1; } );", "study.cfg:4: spheres[0].mass: is no setting of a study of kind \"quasi_static\""},
         {"damping = { absolute = 1; };", "study.cfg:4: damping: is not part of a study of kind \"quasi_static\""},
-        {"contact = { distance = 1; };", "study.cfg:4: contact: is not part of a study of kind \"quasi_static\""},
         {"loading = { steps = 0; };", "study.cfg:4: loading.steps: 0 is not allowed, must be from 1 to 1000000"},
         {"loading = { tolerance = 0.0; };",
          "study.cfg:4: loading.tolerance: 0.0 is not allowed, must be > 0 and <= 0.1"},
@@ -539,6 +593,7 @@ int main(void)
         cmocka_unit_test(extents_are_those_of_geometry),
         cmocka_unit_test(grids_and_materials_that_cannot_be),
         cmocka_unit_test(bodies_and_cracks_that_cannot_be),
+        cmocka_unit_test(parts_and_interfaces_that_cannot_be),
         cmocka_unit_test(conditions_and_times_that_cannot_be),
         cmocka_unit_test(the_plane_has_no_depth),
         cmocka_unit_test(nodes_come_from_a_file),

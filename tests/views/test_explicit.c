@@ -79,6 +79,8 @@ static void the_json_has_all_records(void **state)
     assert_true(json_is_null(json_object_get(sphere, "mass"))); // infinite
     CHECK_NEAR(json_number_value(json_array_get(json_array_get(json_object_get(sphere, "centre"), 20), 2)),
                0.25 * (6 * 20 + 5), 0.0);
+    CHECK_NEAR(json_number_value(json_array_get(json_array_get(json_object_get(sphere, "force"), 20), 2)),
+               7.0 * (6 * 20 + 5), 0.0);
     const json_t *condition = json_array_get(json_object_get(object, "conditions"), 1);
     assert_string_equal(json_string_value(json_object_get(condition, "name")), "end2");
     CHECK_NEAR(json_number_value(json_array_get(json_array_get(json_object_get(condition, "force"), 20), 1)),
@@ -252,6 +254,8 @@ static void loads_are_shown(void **state)
     expect_line(text, "\nat 2 of the load\n");
     expect_line(text, "  and dissipated 0.25, where bonds broke\n");
     expect_line(text, "  centre.to                     1          0          3        0.5        1.4\n");
+    expect_line(text, "\nspheres                           centre                            force\n");
+    expect_line(text, "        861        868        875\n");
     // sqrt(369^2 + 372^2 + 375^2), and a 3000th of it
     expect_line(text, "  end2            largest force 644.3 at the displacement 0.2148, load 2\n");
     for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n")) assert_true(strlen(line) <= 100);
