@@ -66,6 +66,9 @@ typedef struct {
     const pdmc_slit *slits;
 } pdmc_mesh_plate;
 
+/// @return PDMC_OK, or PDMC_ERR_ARG with what cannot be
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_check_plate(const pdmc_mesh_plate *plate);
+
 /// The plate in triangles, by Gmsh: the same on every machine that has the same version of it. The circle of a hole becomes
 /// a polygon. Edges follow the cracks, whose nodes are double but for the tips inside.
 /// @param[out] mesh  free with pdmc_mesh_clear(); zero on failure
@@ -107,6 +110,10 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_node_volumes(const pdmc_mesh *mesh
 
 /// Marks as rough the elements whose middle lies in a box.
 PDMC_API void pdmc_mesh_mark_rough(pdmc_mesh *mesh, const double from[], const double to[]);
+
+/// @param[out] copy  free with pdmc_mesh_clear(); zero on failure
+/// @return PDMC_OK or PDMC_ERR_NOMEM
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_copy(const pdmc_mesh *mesh, pdmc_mesh *copy);
 
 /// A zeroed mesh is allowed.
 PDMC_API void pdmc_mesh_clear(pdmc_mesh *mesh);

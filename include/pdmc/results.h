@@ -329,6 +329,7 @@ typedef struct {
     uint64_t seed;
     char *date_and_time; // ISO 8601, UTC
     char *pdmc_version, *git_sha1; // of the program that computed the results
+    char *mesh_generator; // what made or read the meshes, "Gmsh 4.8.4"; "" without
     pdmc_run_status status;
     double confidence; // level of every interval, 0.95
     double plate_width, plate_height, fracture_energy, extension, energy_horizon;

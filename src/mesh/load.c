@@ -10,17 +10,29 @@
 
 enum { PATH_SIZE = 4096 };
 
+// The file that this code is in. Of a program it may be as it was called, from a folder that has been left since.
+static void find_self(char path[PATH_SIZE])
+{
+    static const char here = 0;
+    Dl_info self;
+    const bool is_known = dladdr(&here, &self) && self.dli_fname;
+    if (is_known) snprintf(path, PATH_SIZE, "%s", self.dli_fname);
+    if (is_known && *path == '/') return;
+    const ssize_t length = readlink("/proc/self/exe", path, PATH_SIZE - 1);
+    path[length > 0 ? length : 0] = '\0';
+}
+
 // The module lies beside the library. Programs that are made of the library's objects, as tests are, lie in a folder beside
 // that of the libraries. The linker's own search would do, but for the address sanitizer, which calls dlopen() in our place.
 static void find_module(char path[PATH_SIZE])
 {
     static const char *const places[] = {"", "../lib/"};
-    Dl_info self;
-    const char *file = dladdr((const void *)places, &self) && self.dli_fname ? self.dli_fname : "";
-    const char *slash = strrchr(file, '/');
-    const int folder = slash ? (int)(slash - file) + 1 : 0;
+    char self[PATH_SIZE];
+    find_self(self);
+    const char *slash = strrchr(self, '/');
+    const int folder = slash ? (int)(slash - self) + 1 : 0;
     for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
-        snprintf(path, PATH_SIZE, "%.*s%slibpdmc_gmsh.so", folder, file, places[i]);
+        snprintf(path, PATH_SIZE, "%.*s%slibpdmc_gmsh.so", folder, self, places[i]);
         if (access(path, R_OK) == 0) return;
     }
     snprintf(path, PATH_SIZE, "libpdmc_gmsh.so");

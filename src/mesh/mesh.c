@@ -4,6 +4,7 @@
 #include "base/base_impl.h"
 
 #include <math.h>
+#include <string.h>
 
 pdmc_status pdmc_mesh_allocate(int dimension, double nodes, double elements, pdmc_mesh *mesh)
 {
@@ -32,6 +33,25 @@ void pdmc_mesh_mark_rough(pdmc_mesh *mesh, const double from[], const double to[
         }
         if (inside) mesh->rough[e] = 1;
     }
+}
+
+pdmc_status pdmc_mesh_copy(const pdmc_mesh *mesh, pdmc_mesh *copy)
+{
+    const size_t nodes = (size_t)mesh->node_count, elements = (size_t)mesh->element_count, d = (size_t)mesh->dimension;
+    pdmc_mesh made = {0};
+    const pdmc_status status = pdmc_mesh_allocate(mesh->dimension, (double)nodes, (double)elements, &made);
+    *copy = (pdmc_mesh){0};
+    if (status != PDMC_OK) {
+        pdmc_mesh_clear(&made);
+        return status;
+    }
+    memcpy(made.x, mesh->x, nodes * d * sizeof *mesh->x);
+    memcpy(made.corner, mesh->corner, elements * (d + 1) * sizeof *mesh->corner);
+    memcpy(made.layer, mesh->layer, elements);
+    memcpy(made.rough, mesh->rough, elements);
+    memcpy(made.generator, mesh->generator, sizeof made.generator);
+    *copy = made;
+    return PDMC_OK;
 }
 
 void pdmc_mesh_clear(pdmc_mesh *mesh)

@@ -59,7 +59,7 @@ static pdmc_status check_slit(const pdmc_mesh_plate *p, int i)
     return PDMC_OK;
 }
 
-static pdmc_status check_plate(const pdmc_mesh_plate *plate)
+pdmc_status pdmc_mesh_check_plate(const pdmc_mesh_plate *plate)
 {
     pdmc_status status = check_lengths(plate);
     for (int i = 0; i < plate->hole_count && status == PDMC_OK; i++) status = check_hole(plate, i);
@@ -90,7 +90,8 @@ pdmc_status pdmc_mesh_triangles(const pdmc_mesh_plate *plate, pdmc_mesh *mesh)
     pdmc_gmsh_mesh drawn = {0};
     pdmc_mesh made = {0};
     *mesh = made;
-    if ((status = check_plate(plate)) != PDMC_OK || (status = pdmc_gmsh_load(&gmsh)) != PDMC_OK) return status;
+    if ((status = pdmc_mesh_check_plate(plate)) != PDMC_OK || (status = pdmc_gmsh_load(&gmsh)) != PDMC_OK)
+        return status;
     if (!gmsh.plate(plate, &drawn)) PDMC_FAIL(PDMC_ERR_EXTERN, "Gmsh: %s", drawn.message);
     PDMC_TRY(pdmc_gmsh_convert(&drawn, "the plate", &made));
     for (int i = 0; i < plate->slit_count; i++) PDMC_TRY(open_slit(plate, &plate->slits[i], &made));

@@ -9,7 +9,22 @@
 void pdmc_scalar_clear(pdmc_scalar *problem)
 {
     pdmc_free(problem->weights);
+    pdmc_free(problem->holes);
+    pdmc_free(problem->file);
+    pdmc_mesh_clear(&problem->first);
     *problem = (pdmc_scalar){0};
+}
+
+pdmc_mesh_plate pdmc_scalar_plate(const pdmc_scalar *problem)
+{
+    return (pdmc_mesh_plate){.width = problem->width,
+                             .height = problem->height,
+                             .layer = problem->horizon,
+                             .spacing = problem->spacing,
+                             .fine_spacing = problem->hole_spacing,
+                             .near = problem->near,
+                             .hole_count = problem->hole_count,
+                             .holes = problem->holes};
 }
 
 pdmc_scalar_level pdmc_scalar_level_of(const pdmc_scalar *problem, int level)
@@ -26,14 +41,45 @@ pdmc_scalar_level pdmc_scalar_level_of(const pdmc_scalar *problem, int level)
 // Of a thread of a 2024 server core: a pair of an outer point and an element, and an operation of the factor.
 static const double seconds_per_pair = 4e-7, seconds_per_operation = 2e-10;
 
+// With the layer.
+static double extent_of(const pdmc_scalar *problem)
+{
+    const double layer = 2.0 * problem->horizon;
+    return (problem->width + layer) * (problem->dimension == 2 ? problem->height + layer : 1.0);
+}
+
+// Regular triangles, and those by which there are more near holes: at a distance t from a hole the spacing is f up to `near`,
+// and then f + (t - near) / 4, so that the integral of 1 / spacing^2 over t is near / f^2 + 4 / f, on either side.
+static double count_triangles(const pdmc_scalar *problem)
+{
+    const double of_one = 0.25 * sqrt(3.0), f = problem->hole_spacing;
+    double count = extent_of(problem) / gsl_pow_2(problem->spacing);
+    for (int i = 0; i < problem->hole_count && f < problem->spacing; i++)
+        count += 4.0 * M_PI * problem->holes[i].radius * (problem->near / gsl_pow_2(f) + 4.0 / f);
+    return count / of_one;
+}
+
+// At the first level; h: the length of edges.
+static double count_elements(const pdmc_scalar *problem, double *h)
+{
+    const int d = problem->dimension;
+    switch (problem->mesh) {
+    case PDMC_ELEMENTS_TRIANGLES: *h = problem->spacing; return count_triangles(problem);
+    case PDMC_ELEMENTS_FILE: *h = pdmc_mesh_spacing(&problem->first); return problem->first.element_count;
+    case PDMC_ELEMENTS_CELLS: break;
+    }
+    *h = problem->width / problem->cells;
+    return d * extent_of(problem) / pow(*h, d);
+}
+
 pdmc_scalar_cost pdmc_scalar_cost_of(const pdmc_scalar *problem, int level, int threads)
 {
     const pdmc_scalar_level at = pdmc_scalar_level_of(problem, level);
-    const int d = problem->dimension;
-    const double h = problem->width / at.cells[0], reach = at.horizon + 2.0 * h, extra = 2.0 * at.horizon;
-    const double extent = (problem->width + extra) * (d == 2 ? problem->height + extra : 1.0);
-    const double elements = d * extent / pow(h, d);
-    const double neighbours = d == 2 ? 2.0 * M_PI * gsl_pow_2(reach / h) : 2.0 * reach / h;
+    const int d = problem->dimension, halvings = problem->vary == PDMC_VARY_SPACING ? level : 0;
+    double first;
+    const double elements = count_elements(problem, &first) * ldexp(1.0, d * halvings), h = ldexp(first, -halvings);
+    const double density = elements / extent_of(problem), reach = at.horizon + 2.0 * h;
+    const double neighbours = density * (d == 2 ? M_PI * gsl_pow_2(reach) : 2.0 * reach);
     const double own = problem->space == PDMC_SPACE_CONTINUOUS ? 0.5 * (3 - d) + 0.25 : d + 1.0; // values of an element
     const double values = elements * own, entries = 0.5 * values * neighbours * own;
     const double points = (d == 2 ? 7.0 : 3.0) * pow(problem->parts, d);

@@ -7,6 +7,7 @@
 #define EXPLICIT "/explicit/" // ... and that only explicit and quasi-static ones have
 #define REST EXPLICIT "rest/" // ... and only the latter
 #define SPHERE_FORCE EXPLICIT "spheres/force"
+#define GENERATOR "mesh_generator"
 #define SCALAR "/scalar/" // ... and scalar ones
 #define ELASTIC "/elastic/" // ... and elastic ones
 #define QUADRATURE "/quadrature/" // ... and those of quadrature
@@ -454,6 +455,7 @@ const pdmc_attribute pdmc_attributes[] = {
     ATTRIBUTE("/", TEXT, "git_sha1", git_sha1),
     ATTRIBUTE("/", TEXT, "date_and_time", date_and_time),
     ATTRIBUTE("/", TEXT, "title", title),
+    ATTRIBUTE("/", TEXT, GENERATOR, mesh_generator),
     ATTRIBUTE("/", DOCUMENT, "input", input),
     ATTRIBUTE("/", DOCUMENT, "resolved", resolved),
     ATTRIBUTE("/", TEXT, "length_unit", length_unit),
@@ -593,6 +595,11 @@ bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset)
     for (size_t i = 0; i < COUNT(later); i++)
         if (strncmp(dataset->path, later[i], strlen(later[i])) == 0) return true;
     return false;
+}
+
+bool pdmc_attribute_may_be_missing(const pdmc_attribute *attribute)
+{
+    return strcmp(attribute->name, GENERATOR) == 0;
 }
 
 size_t pdmc_dataset_rank(const pdmc_dataset *dataset)

@@ -112,6 +112,9 @@ bool pdmc_attribute_belongs(const pdmc_results *results, const pdmc_attribute *a
 /// Whether files of an earlier minor version are without this number, which is then NaN.
 bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset);
 
+/// The same of a text, which is then "".
+bool pdmc_attribute_may_be_missing(const pdmc_attribute *attribute);
+
 size_t pdmc_dataset_rank(const pdmc_dataset *dataset);
 
 /// How many numbers a dataset holds.

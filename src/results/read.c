@@ -194,7 +194,12 @@ static pdmc_status read_attribute(hid_t file, pdmc_results *results, const pdmc_
     pdmc_status status = PDMC_OK;
     const hid_t object = H5Oopen(file, attribute->object, H5P_DEFAULT);
     PDMC_H5_TRY(object, PDMC_ERR_DATA, attribute->object);
-    PDMC_TRY(read_member(object, results, attribute));
+    if (pdmc_attribute_may_be_missing(attribute) && H5Aexists(object, attribute->name) == 0) {
+        *pdmc_attribute_text(results, attribute) = pdmc_strdup("");
+        if (!*pdmc_attribute_text(results, attribute)) status = PDMC_ERR_NOMEM;
+    } else {
+        PDMC_TRY(read_member(object, results, attribute));
+    }
 
 done:
     pdmc_h5_close(object);

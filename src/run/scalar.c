@@ -2,6 +2,7 @@
 #include "run/scalar.h"
 
 #include "base/base_impl.h"
+#include "run/scalar_mesh.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -34,7 +35,7 @@ typedef struct {
     int number, threads;
     wave wave;
     double lambda; // of the kernel, or of the classical wave where the horizon varies
-    pdmc_mesh mesh;
+    const pdmc_mesh *mesh;
     pdmc_space space;
     pdmc_scalar_kernel kernel;
     pdmc_form form;
@@ -45,20 +46,8 @@ static void level_clear(level *l)
 {
     pdmc_form_clear(&l->form);
     pdmc_space_clear(&l->space);
-    pdmc_mesh_clear(&l->mesh);
     pdmc_free(l->load);
     pdmc_free(l->u);
-}
-
-static pdmc_status make_mesh(level *l)
-{
-    const pdmc_scalar *s = l->study;
-    const pdmc_scalar_level at = pdmc_scalar_level_of(s, l->number);
-    const double size[2] = {s->width, s->height}, most = s->height;
-    const pdmc_status status = pdmc_mesh_box(s->dimension, size, at.cells, at.horizon, &l->mesh);
-    if (status != PDMC_OK) return status;
-    pdmc_mesh_mark_rough(&l->mesh, (double[2]){s->rough_from, -most}, (double[2]){s->rough_to, most});
-    return PDMC_OK;
 }
 
 static pdmc_status make_form(level *l)
@@ -67,7 +56,7 @@ static pdmc_status make_form(level *l)
     const pdmc_scalar *s = l->study;
     const pdmc_form_rule rule = {s->outer, s->inner, s->parts};
     const double horizon = pdmc_scalar_level_of(s, l->number).horizon;
-    PDMC_TRY(pdmc_space_create(&l->mesh, s->space, &l->space));
+    PDMC_TRY(pdmc_space_create(l->mesh, s->space, &l->space));
     PDMC_TRY(pdmc_scalar_kernel_create(s->dimension, horizon, s->power, s->weight_count > 0 ? s->weight_count : 1,
                                        s->weights, &l->kernel));
     PDMC_TRY(pdmc_form_peridynamic(&l->space, &l->kernel, &rule, l->threads, &l->form));
@@ -114,7 +103,7 @@ static pdmc_status compare_to_classical(level *l, double *difference)
     double *v = NULL, *load = NULL, *rest = NULL;
     wave source = l->wave;
     source.factor = l->lambda;
-    PDMC_TRY(pdmc_space_create(&l->mesh, PDMC_SPACE_CONTINUOUS, &space));
+    PDMC_TRY(pdmc_space_create(l->mesh, PDMC_SPACE_CONTINUOUS, &space));
     PDMC_TRY(pdmc_form_gradient(&space, &gradient));
     PDMC_NEW(load, space.free_count);
     PDMC_NEW(v, space.count);
@@ -164,9 +153,9 @@ static pdmc_status record_level(level *l, pdmc_scalar_record *record)
 {
     pdmc_status status = PDMC_OK;
     const int at = l->number;
-    record->spacing[at] = pdmc_mesh_spacing(&l->mesh);
+    record->spacing[at] = pdmc_mesh_spacing(l->mesh);
     record->horizon[at] = l->kernel.horizon;
-    record->elements[at] = l->mesh.element_count;
+    record->elements[at] = l->mesh->element_count;
     record->unknowns[at] = l->space.free_count;
     record->entries[at] = (double)l->form.start[l->form.free_count];
     record->classical[at] = record->stable_step[at] = record->stable_step_error[at] = NAN;
@@ -191,7 +180,7 @@ static void drop_field(pdmc_scalar_record *record)
 static pdmc_status record_field(const level *l, pdmc_scalar_record *record)
 {
     pdmc_status status = PDMC_OK;
-    const int n = l->space.count, d = l->mesh.dimension;
+    const int n = l->space.count, d = l->mesh->dimension;
     drop_field(record);
     PDMC_NEW(record->position, 2 * (size_t)n);
     PDMC_NEW(record->value, n);
@@ -206,12 +195,13 @@ done:
     return status;
 }
 
-static pdmc_status run_level(const pdmc_scalar *study, int number, int threads, pdmc_scalar_record *record)
+static pdmc_status run_level(const pdmc_scalar *study, int number, int threads, pdmc_mesh *mesh,
+                             pdmc_scalar_record *record)
 {
     pdmc_status status = PDMC_OK;
     const double start = pdmc_seconds();
-    level l = {.study = study, .number = number, .threads = threads, .wave = wave_of(study)};
-    PDMC_TRY(make_mesh(&l));
+    level l = {.study = study, .number = number, .threads = threads, .wave = wave_of(study), .mesh = mesh};
+    PDMC_TRY(pdmc_run_next_mesh(study, number, mesh));
     PDMC_TRY(make_form(&l));
     PDMC_TRY(solve_steady(&l));
     PDMC_TRY(record_level(&l, record));
@@ -250,17 +240,21 @@ pdmc_status pdmc_run_scalar(const pdmc_scalar *study, const pdmc_run_options *op
 {
     pdmc_status status = PDMC_OK;
     pdmc_scalar_record *record = &results->scalar;
+    pdmc_mesh mesh = {0};
     bool goes_on = true;
     PDMC_TRY(prepare(study, record));
     for (int i = 0; i < study->levels && goes_on; i++) {
         goes_on = !options->progress || options->progress(options->context, i, study->levels);
-        if (goes_on) PDMC_TRY(run_level(study, i, options->threads, record));
+        if (goes_on) PDMC_TRY(run_level(study, i, options->threads, &mesh, record));
     }
     if (record->level_count == 0)
         PDMC_FAIL(PDMC_ERR_INTERRUPTED, "stopped before the first level: there is nothing to save");
     if (!goes_on) results->status = PDMC_RUN_INTERRUPTED;
     else if (options->progress) options->progress(options->context, study->levels, study->levels);
     results->runtime.threads = options->threads;
+    results->mesh_generator = pdmc_strdup(mesh.generator);
+    if (!results->mesh_generator) status = PDMC_ERR_NOMEM;
 done:
+    pdmc_mesh_clear(&mesh);
     return status;
 }

@@ -91,26 +91,11 @@ static pdmc_status check_shape(const pdmc_study_reader *reader, pdmc_study_secti
     return check_cylinder(reader, to, shape);
 }
 
-// A file is beside the one that names it, unless its path begins at the root.
-static char *path_beside(const char *file, const char *name)
-{
-    const char *slash = *name == '/' ? NULL : strrchr(file, '/');
-    const size_t folder = slash ? (size_t)(slash - file) + 1 : 0;
-    char *path = pdmc_calloc(folder + strlen(name) + 1, 1);
-    if (!path) return NULL;
-    memcpy(path, file, folder);
-    memcpy(&path[folder], name, strlen(name));
-    return path;
-}
-
 static pdmc_status read_nodes(const pdmc_study_reader *reader, int index)
 {
     pdmc_explicit_body *body = &reader->motion->bodies[index];
-    const config_setting_t *setting = pdmc_study_locate(reader, at(SECTION_BODIES, index, "file"));
-    int line;
     pdmc_node *nodes = NULL;
-    char *path =
-        path_beside(pdmc_study_source_place(reader->source, config_setting_source_line(setting), &line), body->file);
+    char *path = pdmc_study_path(reader, at(SECTION_BODIES, index, "file"), body->file);
     if (!path) return PDMC_ERR_NOMEM;
     const pdmc_status status = pdmc_nodes_read(path, reader->motion->dimension, &body->body.node_count, &nodes);
     body->body.nodes = nodes;

@@ -36,7 +36,7 @@ pdmc_status pdmc_study_check_elements(const pdmc_study_reader *reader)
     if (s->space == PDMC_SPACE_MIXED && s->rough_from >= s->rough_to)
         return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_ELEMENTS, -1, "rough_to"},
                                  "%g is not allowed, must be > rough_from = %g", s->rough_to, s->rough_from);
-    return PDMC_OK;
+    return pdmc_study_check_mesh(reader);
 }
 
 pdmc_status pdmc_study_check_wave(const pdmc_study_reader *reader)

@@ -115,6 +115,10 @@
 #define PLANAR_CRACKS CHOICES("segment", "disc", "rectangle")
 #define SPACES CHOICES("continuous", "discontinuous", "mixed")
 #define MIXED ONLY(PDMC_SPACE_MIXED)
+#define ELEMENT_MESHES CHOICES("cells", "triangles", "file")
+#define CELLS ONLY(PDMC_ELEMENTS_CELLS)
+#define TRIANGLES ONLY(PDMC_ELEMENTS_TRIANGLES)
+#define MESH_FILE ONLY(PDMC_ELEMENTS_FILE)
 #define OUTER_RULES CHOICES("exact", "gauss", "edges")
 #define INNER_RULES CHOICES("exact", "polynomial", "careless")
 #define SOLID_RULES CHOICES("cubic_cell", "gauss")
@@ -554,9 +558,10 @@ const pdmc_study_setting pdmc_study_settings[] = {
             "not move"},
 
     {SECTION_DOMAIN, "dimension", KIND_INT, .range = FROM_TO(1, 2), .offset = IN_SCALAR(dimension), .doc = "of space"},
-    {SECTION_DOMAIN, "width", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_SCALAR(width), .doc = "extent in x"},
-    {SECTION_DOMAIN, "height", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_SCALAR(height), WHERE("dimension", PLANE),
-     .doc = "extent in y"},
+    {SECTION_DOMAIN, "width", KIND_OPTIONAL, UNIT_LENGTH, POSITIVE, IN_SCALAR(width), IN_SCALAR(has_width),
+     .fallback = "that of elements.file", .doc = "extent in x; must be given without a file"},
+    {SECTION_DOMAIN, "height", KIND_OPTIONAL, UNIT_LENGTH, POSITIVE, IN_SCALAR(height), IN_SCALAR(has_height),
+     WHERE("dimension", PLANE), .fallback = "that of elements.file", .doc = "extent in y; must be given without a file"},
 
     {SECTION_KERNEL, "horizon", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_SCALAR(horizon),
      .doc = "delta, length of the longest bond, at the first level"},
@@ -566,10 +571,26 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .flag = IN_SCALAR(weight_count), .fallback = "none",
      .doc = "[w1, w2, ...] on r^-p in equal bins of [0, horizon]; 1 throughout without any"},
 
+    {SECTION_HOLES, "centre", KIND_PAIR, UNIT_LENGTH, ANY, offsetof(pdmc_hole, centre), .doc = "[x, y]"},
+    {SECTION_HOLES, "radius", KIND_REAL, UNIT_LENGTH, POSITIVE, offsetof(pdmc_hole, radius),
+     .doc = "of the circle, which becomes a polygon"},
+
     {SECTION_ELEMENTS, "space", KIND_CHOICE, .offset = IN_SCALAR(space), .choices = SPACES, .fallback = "continuous",
      .doc = "of functions that are linear in each element; mixed is discontinuous between rough_from and rough_to"},
-    {SECTION_ELEMENTS, "cells", KIND_INT, .range = FROM_TO(2, 100000), .offset = IN_SCALAR(cells),
+    {SECTION_ELEMENTS, "mesh", KIND_CHOICE, .offset = IN_SCALAR(mesh), .choices = ELEMENT_MESHES, .fallback = "cells",
+     .doc = "equal cells; in two dimensions also triangles by Gmsh, or those of a file of Gmsh"},
+    {SECTION_ELEMENTS, "cells", KIND_INT, .range = FROM_TO(2, 100000), .offset = IN_SCALAR(cells), WHERE("mesh", CELLS),
      .doc = "along the width, at the first level; in two dimensions two triangles each"},
+    {SECTION_ELEMENTS, "spacing", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_SCALAR(spacing), WHERE("mesh", TRIANGLES),
+     .doc = "of the nodes of triangles, at the first level, about"},
+    {SECTION_ELEMENTS, "hole_spacing", KIND_OPTIONAL, UNIT_LENGTH, POSITIVE, IN_SCALAR(hole_spacing),
+     IN_SCALAR(has_hole_spacing), WHERE("mesh", TRIANGLES), .fallback = "spacing",
+     .doc = "... up to the distance `near` from holes, from where it grows by a quarter of the way"},
+    {SECTION_ELEMENTS, "near", KIND_REAL, UNIT_LENGTH, NOT_NEGATIVE, IN_SCALAR(near), WHERE("mesh", TRIANGLES),
+     .fallback = "0.0", .doc = "distance from holes up to which the spacing is hole_spacing"},
+    {SECTION_ELEMENTS, "file", KIND_TEXT, .offset = IN_SCALAR(file), WHERE("mesh", MESH_FILE),
+     .doc = "beside the study, .msh, of triangles; its physical group \"layer\" is where the field is prescribed, without one "
+            "what is nearer to the edge than the horizon"},
     {SECTION_ELEMENTS, "outer", KIND_CHOICE, .offset = IN_SCALAR(outer), .choices = OUTER_RULES, .fallback = "gauss",
      .doc = "integral: exact, in one dimension only; by Gauss points inside the elements, of degree 5; or by points on their "
             "edges"},
@@ -707,7 +728,7 @@ _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == si
                    sizeof(pdmc_precision) == sizeof(int) &&
                    sizeof(pdmc_shape_kind) == sizeof(int) &&
                    sizeof(pdmc_planar_crack_kind) == sizeof(int) && sizeof(pdmc_vary) == sizeof(int) &&
-                   sizeof(pdmc_space_kind) == sizeof(int) && sizeof(pdmc_outer_rule) == sizeof(int) &&
+                   sizeof(pdmc_space_kind) == sizeof(int) && sizeof(pdmc_elements_kind) == sizeof(int) && sizeof(pdmc_outer_rule) == sizeof(int) &&
                    sizeof(pdmc_inner_rule) == sizeof(int) && sizeof(pdmc_solid_rule) == sizeof(int) &&
                    sizeof(pdmc_solid_compensation) == sizeof(int) && sizeof(pdmc_elastic_face) == sizeof(int) &&
                    sizeof(pdmc_elastic_method) == sizeof(int) && sizeof(pdmc_condition_kind) == sizeof(int) &&

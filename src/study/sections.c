@@ -90,11 +90,14 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
     [SECTION_RECORD] = {.name = "record", .doc = "of bodies of bonds: what is kept", OF_BODIES,
                         .check = pdmc_study_check_record},
     [SECTION_DOMAIN] = {.name = "domain", OF(PDMC_SCALAR),
-                        .doc = "of a scalar study: an interval or a rectangle, its middle at the origin; the field is "
-                               "prescribed in a layer round it as wide as the horizon"},
+                        .doc = "of a scalar study: an interval or a rectangle, its middle at the origin, or the body of a "
+                               "mesh; the field is prescribed in a layer round it as wide as the horizon"},
     [SECTION_KERNEL] = {.name = "kernel", OF(PDMC_SCALAR), .check = pdmc_study_check_kernel,
                         .doc = "of a scalar study: c(r) of L u = int c (u' - u), scaled so that long waves see the "
                                "Laplacian"},
+    [SECTION_HOLES] = {.name = "holes", OF(PDMC_SCALAR), .size = sizeof(pdmc_hole), .items = offsetof(pdmc_scalar, holes),
+                       .count = offsetof(pdmc_scalar, hole_count),
+                       .doc = "of a scalar study: list of round holes in the rectangle, in which the field is prescribed"},
     [SECTION_ELEMENTS] = {.name = "elements", OF(PDMC_SCALAR), .check = pdmc_study_check_elements,
                           .doc = "of a scalar study: linear finite elements, intervals or triangles"},
     [SECTION_WAVE] = {.name = "wave", OF(PDMC_SCALAR), .check = pdmc_study_check_wave,

@@ -82,6 +82,7 @@ typedef enum {
     SECTION_RECORD,
     SECTION_DOMAIN,
     SECTION_KERNEL,
+    SECTION_HOLES,
     SECTION_ELEMENTS,
     SECTION_WAVE,
     SECTION_CONVERGENCE,
@@ -239,6 +240,9 @@ typedef struct {
 
 /// The setting there, or the innermost of the things around it that the file does have.
 const config_setting_t *pdmc_study_locate(const pdmc_study_reader *reader, pdmc_study_address address);
+/// The path of a file that a setting names, which is beside the file that has the setting unless it begins at the root;
+/// NULL without memory.
+char *pdmc_study_path(const pdmc_study_reader *reader, pdmc_study_address address, const char *name);
 /// Raises PDMC_ERR_CONFIG with "file:line: path: " before the message.
 pdmc_status pdmc_study_refuse(const pdmc_study_reader *reader, pdmc_study_address address, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
@@ -355,6 +359,8 @@ PDMC_NODISCARD pdmc_status pdmc_study_check_record(const pdmc_study_reader *read
 // ... of a scalar study (check_scalar.c)
 PDMC_NODISCARD pdmc_status pdmc_study_check_kernel(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_elements(const pdmc_study_reader *reader);
+/// Reads the mesh of a file. (check_mesh.c)
+PDMC_NODISCARD pdmc_status pdmc_study_check_mesh(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_wave(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_convergence(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_march(const pdmc_study_reader *reader);

@@ -240,6 +240,8 @@ static json_t *everything(const pdmc_results *r)
     pdmc_json_put(&object, "date_and_time", pdmc_json_text(r->date_and_time));
     pdmc_json_put(&object, "pdmc_version", pdmc_json_text(r->pdmc_version));
     pdmc_json_put(&object, "git_sha1", pdmc_json_text(r->git_sha1));
+    if (r->mesh_generator && *r->mesh_generator)
+        pdmc_json_put(&object, "mesh_generator", pdmc_json_text(r->mesh_generator));
     pdmc_json_put(&object, "status", pdmc_json_text(pdmc_run_status_names[r->status]));
     if (pdmc_is_of_plate(r->kind)) put_samples(r, &object);
     pdmc_json_put(&object, "units", pdmc_json_units(r));

@@ -58,6 +58,8 @@ void pdmc_table_scalar(const pdmc_results *r, FILE *stream)
     fprintf(stream, "  scalar field in %s, kernel r^-%s, wave number %s 1/%.20s\n",
             s->dimension == 1 ? "one dimension" : "the plane", pdmc_brief(n[0], s->power),
             pdmc_brief(n[1], s->wave_number), pdmc_one_line(unit, r->length_unit));
+    if (r->mesh_generator && *r->mesh_generator)
+        fprintf(stream, "  mesh by %s\n", pdmc_one_line(unit, r->mesh_generator));
     print_errors(r, stream);
     print_motion(s, stream);
     fprintf(stream, "\nkept     %d values of the last level\n", s->value_count);

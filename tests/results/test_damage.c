@@ -168,6 +168,7 @@ static void an_older_file_without_memory_and_accuracy_is_read(void **state)
     pdmc_results results;
     const hid_t file = open_copy(path);
     H5Ldelete(file, "/runtime/peak_memory", H5P_DEFAULT);
+    H5Adelete(file, "mesh_generator");
     H5Ldelete(file, "/solver/samples", H5P_DEFAULT);
     H5Fclose(file);
     CHECK_OK(pdmc_results_read(path, &results));
@@ -175,6 +176,7 @@ static void an_older_file_without_memory_and_accuracy_is_read(void **state)
     assert_true(isnan(results.accuracy.mean_error[PDMC_MEASURE_BOND]));
     assert_true(isnan(results.accuracy.quantile_error[PDMC_MEASURE_GRIFFITH][PDMC_QUANTILES - 1]));
     assert_true(isnan(results.runtime.peak_memory));
+    assert_string_equal(results.mesh_generator, "");
     CHECK_NEAR(results.runtime.total, 6.7, 0.0);
     pdmc_results_clear(&results);
 }
