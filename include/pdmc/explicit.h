@@ -133,6 +133,6 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_explicit_sample_particles(const pdmc_ex
 
 /// Places the nodes of the problem.
 /// @param[out] particles  to be destroyed by the caller; NULL on failure
-/// @return PDMC_OK, PDMC_ERR_CONFIG with what pdmc_particles_create() refuses, or PDMC_ERR_NOMEM
+/// @return PDMC_OK, PDMC_ERR_CONFIG with what pdmc_particles_create() refuses, by the names of the study's settings, or PDMC_ERR_NOMEM
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_explicit_particles(const pdmc_explicit *problem, int threads,
                                                             pdmc_particles **particles);

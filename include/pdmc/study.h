@@ -8,6 +8,8 @@
 #include "pdmc/horizon_study.h"
 #include "pdmc/scalar.h"
 
+typedef struct pdmc_study_source pdmc_study_source;
+
 typedef struct {
     pdmc_problem problem;
     pdmc_explicit motion; // of an explicit study, of which the problem has only kind, title and units
@@ -17,6 +19,7 @@ typedef struct {
     char *input;    // the study file as it was given
     char *resolved; // every setting, defaults filled in, with its unit; itself a valid study file
     char *warnings; // one line each, "file:line: warning: ..."; "" if there are none
+    pdmc_study_source *source; // the file, for the places of what is found out later
 } pdmc_study;
 
 /// Reads a study file.
@@ -27,6 +30,11 @@ typedef struct {
 /// @param[out] study  free with pdmc_study_clear(); zero on failure
 /// @return PDMC_OK, PDMC_ERR_NO_INPUT, PDMC_ERR_CONFIG, or PDMC_ERR_NOMEM
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_study_read(const char *path, pdmc_study *study);
+
+/// Puts the place in the file before the message of a failure that was found out after the study was read, by pdmc_run() or
+/// pdmc_explicit_particles(), where the message begins with what is to blame, as in "bodies[1]: " or "time.step: ".
+/// @return the status
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_study_place(const pdmc_study *study, pdmc_status status);
 
 /// Writes `study->resolved` anew after the problem was changed (another seed, another number of samples).
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_study_resolve(pdmc_study *study);

@@ -153,7 +153,7 @@ static int run_study(const arguments *given, const pdmc_study *study, const char
     progress_start(given->quiet, counted(study->problem.kind, draws_samples(study)), &state);
     const pdmc_status status = pdmc_run(study, &options, &results);
     progress_end(&state);
-    const int code = status == PDMC_OK ? write_results(given, &results, path) : fail(status);
+    const int code = status == PDMC_OK ? write_results(given, &results, path) : fail(pdmc_study_place(study, status));
     pdmc_results_clear(&results);
     return code;
 }
@@ -275,7 +275,7 @@ int check_command(const arguments *given)
 {
     pdmc_study study = {0};
     pdmc_status status = read_study(given, &study);
-    if (status == PDMC_OK) status = check_study(&study, given->threads);
+    if (status == PDMC_OK) status = pdmc_study_place(&study, check_study(&study, given->threads));
     if (status == PDMC_OK && !given->quiet) warn_of_memory(bytes_of(&study, given->threads));
     pdmc_study_clear(&study);
     return status == PDMC_OK ? EX_OK : fail(status);

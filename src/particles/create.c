@@ -136,7 +136,7 @@ static pdmc_status choose_step(const pdmc_particles_options *o, pdmc_particles *
     p->stable_step =
         pdmc_bonds_stable_step(&p->nodes, &p->variation, p->material_count, p->laws, p->density, o->bond_damping);
     p->step = o->step > 0.0 ? o->step : o->safety * p->stable_step;
-    PDMC_REQUIRE(p->step > 0.0 && p->step <= p->stable_step, "step: %g, is stable up to %g", p->step, p->stable_step);
+    PDMC_REQUIRE(p->step > 0.0 && p->step <= p->stable_step, "step: %g is too large, must be at most %g, the largest stable one", p->step, p->stable_step);
     return PDMC_OK;
 }
 

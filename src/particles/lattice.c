@@ -41,7 +41,7 @@ static pdmc_status find_box(const pdmc_particles_options *options, pdmc_nodes *g
             last = fmax(last, floor((high[a] - g->offset[a]) / g->spacing + slack));
         }
         if (a >= g->dimension) first = last = 0.0;
-        PDMC_REQUIRE(first <= last, "no node: the bodies hold no point of the grid");
+        PDMC_REQUIRE(first <= last, "bodies: they hold no point of the grid");
         cells *= last - first + 1.0;
         PDMC_REQUIRE(cells < most_cells && fabs(first) < most_cells, "the grid would have more than %g cells",
                      most_cells);
@@ -286,7 +286,7 @@ pdmc_status pdmc_lattice_create(const pdmc_particles_options *options, const pdm
     for (int a = 0; a < PDMC_AXES; a++) PDMC_NEW(g->reference[a], g->cells + PDMC_LANES);
     PDMC_TRY(find_neighbours(volume, g));
     PDMC_TRY(place_nodes(options, volume, g));
-    if (g->node_count == 0) PDMC_FAIL(PDMC_ERR_ARG, "no node: the bodies hold no point of the grid");
+    if (g->node_count == 0) PDMC_FAIL(PDMC_ERR_ARG, "bodies: they hold no point of the grid");
     PDMC_NEW(g->cell, g->node_count);
     PDMC_NEW(g->node, g->cells);
     list_nodes(g);

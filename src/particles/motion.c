@@ -160,31 +160,39 @@ static void restore(pdmc_particles *p, const pdmc_block *block, int k)
         const size_t c = block->cell + (size_t)k;
         const double before = p->velocity[a][c] - p->step / p->density[block->material] * p->force[a][c];
         p->velocity[a][c] = isfinite(before) ? before : 0.0;
-        if (!isfinite(p->force[a][c])) p->force[a][c] = 0.0;
+        p->force[a][c] = 0.0;
     }
+}
+
+static bool is_node_lost(const pdmc_particles *p, size_t c)
+{
+    return is_lost(p, p->velocity[0][c]) || is_lost(p, p->velocity[1][c]) || is_lost(p, p->velocity[2][c]);
+}
+
+static const char *why_lost(const pdmc_particles *p, size_t c)
+{
+    for (int a = 0; a < PDMC_AXES; a++)
+        if (isnan(p->velocity[a][c])) return "has a velocity that is not a number: forces are too large";
+    return "would move by more than the horizon in a step: the step is not stable, or forces are too large";
 }
 
 static pdmc_status report_lost(pdmc_particles *p)
 {
     const pdmc_nodes *g = &p->nodes;
-    const double *first = NULL;
+    const char *why = NULL;
     double x[PDMC_AXES] = {0.0};
     for (int b = 0; b < g->block_count; b++) {
         for (unsigned left = g->blocks[b].nodes; left; left &= left - 1) {
             const int k = __builtin_ctz(left);
             const size_t c = g->blocks[b].cell + (size_t)k;
-            if (!is_lost(p, p->velocity[0][c]) && !is_lost(p, p->velocity[1][c]) && !is_lost(p, p->velocity[2][c]))
-                continue;
-            for (int a = 0; a < PDMC_AXES && !first; a++) x[a] = g->reference[a][c];
-            first = x;
+            if (!is_node_lost(p, c)) continue;
+            for (int a = 0; a < PDMC_AXES && !why; a++) x[a] = g->reference[a][c];
+            if (!why) why = why_lost(p, c);
             restore(p, &g->blocks[b], k);
         }
     }
-    return pdmc_raise(
-        PDMC_ERR_SINGULAR,
-        "step %d, time %g: the node at (%g, %g, %g) would move by more than the horizon in a step: the step is not "
-        "stable, or forces are too large",
-        p->steps, pdmc_particles_time(p), x[0], x[1], x[2]);
+    return pdmc_raise(PDMC_ERR_SINGULAR, "step %d, time %g: the node at (%g, %g, %g) %s", p->steps,
+                      pdmc_particles_time(p), x[0], x[1], x[2], why);
 }
 
 static pdmc_motion_of_nodes motion_of(const pdmc_particles *p)
@@ -273,14 +281,18 @@ static void act(pdmc_particles *p)
     count_damping(p);
 }
 
-/// From half a step before the time to half a step after it.
+/// From half a step before the time to half a step after it; what is lost in it has done no work.
 static pdmc_status kick(pdmc_particles *p)
 {
+    const double work = p->work, dissipated = p->damping.dissipated;
     p->work_after = 0.0;
     act(p);
     count_work(p, work_of_spheres(p));
     accelerate_spheres(p, p->step);
-    return accelerate(p, p->step) ? PDMC_OK : report_lost(p);
+    if (accelerate(p, p->step)) return PDMC_OK;
+    p->work = work, p->work_after = 0.0;
+    p->damping.dissipated = dissipated, p->damping.after = 0.0;
+    return report_lost(p);
 }
 
 pdmc_status pdmc_particles_start(pdmc_particles *p)

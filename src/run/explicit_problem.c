@@ -304,6 +304,13 @@ static pdmc_particles_options options_of(const pdmc_explicit *p, const pdmc_expl
     };
 }
 
+// By the names of the study's settings; lists have the same ones.
+static pdmc_status refuse(const char *message)
+{
+    const bool is_step = strncmp(message, "step: ", strlen("step: ")) == 0;
+    return pdmc_raise(PDMC_ERR_CONFIG, "%s%s", is_step ? "time." : "", message);
+}
+
 pdmc_status pdmc_explicit_sample_particles(const pdmc_explicit *problem, const pdmc_explicit_sample *sample,
                                            int threads, pdmc_particles **particles)
 {
@@ -313,7 +320,7 @@ pdmc_status pdmc_explicit_sample_particles(const pdmc_explicit *problem, const p
     PDMC_TRY(fill_lists(problem, sample, &l));
     const pdmc_particles_options options = options_of(problem, sample, &l, threads);
     status = pdmc_particles_create(&options, particles);
-    if (status == PDMC_ERR_ARG) status = pdmc_raise(PDMC_ERR_CONFIG, "%s", pdmc_last_error());
+    if (status == PDMC_ERR_ARG) status = refuse(pdmc_last_error());
 done:
     drop_lists(&l);
     return status;

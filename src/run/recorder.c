@@ -75,7 +75,7 @@ static pdmc_status prepare_nodes(pdmc_recorder *r)
     const int count = pdmc_particles_count(r->particles);
     const size_t n = (size_t)count, states = n * ((size_t)r->snapshots + 1);
     if (states > INT32_MAX)
-        PDMC_FAIL(PDMC_ERR_CONFIG, "%d snapshots of %d nodes are more than a result file takes, %d numbers at most",
+        PDMC_FAIL(PDMC_ERR_CONFIG, "record.snapshots: %d of %d nodes are more than a result file takes, %d numbers at most",
                   r->snapshots, count, INT32_MAX);
     record->node_count = count;
     record->body_count = r->study->body_count;

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-static pdmc_status parse_text(const pdmc_study_source *source, config_t *config)
+pdmc_status pdmc_study_source_parse(const pdmc_study_source *source, config_t *config)
 {
     if (config_read_string(config, source->text.bytes)) return PDMC_OK;
     int line;
@@ -20,7 +20,7 @@ static pdmc_status read_problem(const pdmc_study_source *source, FILE *warnings,
 {
     config_t config;
     config_init(&config);
-    pdmc_status status = parse_text(source, &config);
+    pdmc_status status = pdmc_study_source_parse(source, &config);
     if (status == PDMC_OK)
         status = pdmc_study_parse(&(pdmc_study_reader){
             source, config_root_setting(&config), &study->problem, &study->motion, &study->scalar, &study->elastic,
@@ -32,20 +32,19 @@ static pdmc_status read_problem(const pdmc_study_source *source, FILE *warnings,
 pdmc_status pdmc_study_read(const char *path, pdmc_study *study)
 {
     pdmc_status status = PDMC_OK;
-    pdmc_study_source source = {0};
     pdmc_study_text warnings = {0};
     *study = (pdmc_study){0};
-    PDMC_TRY(pdmc_study_source_read(path, &source));
+    PDMC_NEW(study->source, 1);
+    PDMC_TRY(pdmc_study_source_read(path, study->source));
     PDMC_TRY(pdmc_study_text_open(&warnings));
-    PDMC_TRY(read_problem(&source, warnings.out, study));
+    PDMC_TRY(read_problem(study->source, warnings.out, study));
     PDMC_TRY(pdmc_study_text_close(&warnings));
-    PDMC_TRY(pdmc_study_text_copy(&source.input, &study->input));
+    PDMC_TRY(pdmc_study_text_copy(&study->source->input, &study->input));
     PDMC_TRY(pdmc_study_text_copy(&warnings, &study->warnings));
     PDMC_TRY(pdmc_study_resolve(study));
 done:
     if (status != PDMC_OK) pdmc_study_clear(study);
     pdmc_study_text_drop(&warnings);
-    pdmc_study_source_drop(&source);
     return status;
 }
 
@@ -72,5 +71,7 @@ void pdmc_study_clear(pdmc_study *study)
     pdmc_free(study->input);
     pdmc_free(study->resolved);
     pdmc_free(study->warnings);
+    if (study->source) pdmc_study_source_drop(study->source);
+    pdmc_free(study->source);
     *study = (pdmc_study){0};
 }

@@ -30,12 +30,12 @@ void pdmc_study_print_real(FILE *out, double x);
 // ---- the file (source.c) ----
 
 /// A study file as one text for libconfig: its @include lines replaced by the files, and where each line came from.
-typedef struct {
+struct pdmc_study_source {
     pdmc_study_text input; // the top file, untouched
     pdmc_study_text text;  // for libconfig
     pdmc_study_text names; // of the files, each ended by a zero
     pdmc_study_text lines; // an array of pdmc_study_origin, one for each line of `text`
-} pdmc_study_source;
+};
 
 typedef struct {
     size_t name; // offset in `names`
@@ -44,6 +44,8 @@ typedef struct {
 
 PDMC_NODISCARD pdmc_status pdmc_study_source_read(const char *path, pdmc_study_source *source);
 void pdmc_study_source_drop(pdmc_study_source *source);
+/// @param[in,out] config  initialised; PDMC_ERR_CONFIG with file and line where the text is none
+PDMC_NODISCARD pdmc_status pdmc_study_source_parse(const pdmc_study_source *source, config_t *config);
 /// The file and line from which line `line` of the text came, counted from 1.
 const char *pdmc_study_source_place(const pdmc_study_source *source, unsigned line, int *file_line);
 

@@ -161,7 +161,7 @@ static void damped_bonds_ask_for_smaller_steps(void **state)
 
     s.options.step = pdmc_particles_stable_step(undamped);
     CHECK_STATUS(pdmc_particles_create(&s.options, &p), PDMC_ERR_ARG);
-    assert_non_null(strstr(pdmc_last_error(), "is stable up to"));
+    assert_non_null(strstr(pdmc_last_error(), "the largest stable one"));
     pdmc_particles_destroy(undamped);
 }
 

@@ -130,7 +130,7 @@ static void refusals(void **state)
     make_box(&s, 2, (int[]){5, 5, 1});
     s.options.step = 100.0;
     CHECK_STATUS(pdmc_particles_create(&s.options, &particles), PDMC_ERR_ARG);
-    assert_non_null(strstr(pdmc_last_error(), "step: 100, is stable up to"));
+    assert_non_null(strstr(pdmc_last_error(), "step: 100 is too large, must be at most"));
     make_box(&s, 2, (int[]){2, 1, 1});
     const pdmc_planar_crack crack = {.kind = PDMC_CRACK_SEGMENT, .from = {0.5, -1}, .to = {0.5, 1}};
     s.options.crack_count = 1;
