@@ -195,6 +195,77 @@ static void samples_do_not_depend_on_threads_or_on_their_number(void **state)
     pdmc_results_clear(&all);
 }
 
+// The nodes of PLATE, one a line and in its order.
+static void write_nodes_of_plate(const char *path)
+{
+    char text[24 * 24 * 24] = "", *end = text;
+    for (int y = 0; y < 24; y++)
+        for (int x = 0; x < 24; x++) end += sprintf(end, "%.1f %.1f 0.25\n", x - 11.5, y - 11.5);
+    write_text(path, text);
+}
+
+#define OF_NODES                                                                                                       \
+    "grid = { dimension = 2; spacing = 1.0; offset = [0.5, 0.5]; thickness = 0.25; };\n"                               \
+    "bodies = ( { name = \"body1\"; shape = \"nodes\"; file = \"plate.nodes\"; } );\n"                                  \
+    "cracks = ( { name = \"c\"; from = [-4, 0]; to = [4, 0]; } );\n"
+#define IN_TWO(body)                                                                                                   \
+    "grid = { dimension = 2; spacing = 1.0; offset = [0.5, 0.5]; thickness = 0.25; };\n"                               \
+    "bodies = ( { " body " }, { inside = \"body1\"; from = [3, -12]; to = [12, 12]; material = \"soft\"; } );\n"         \
+    "cracks = ( { name = \"c\"; from = [-4, 0]; to = [4, 0]; } );\n"                                                   \
+    "materials = ( { name = \"hard\"; density = 2.0; youngs_modulus = 3.0; critical_stretch = 0.02; },\n"               \
+    "              { name = \"soft\"; density = 1.0; youngs_modulus = 1.0; fracture_energy = 0.002; } );\n"               \
+    "interfaces = ( { first_material = \"hard\"; second_material = \"soft\"; fracture_energy = 5e-4; } );\n"
+#define ALL_FACTORS                                                                                                    \
+    FIELD ", { quantity = \"load\"; distribution = \"normal\"; variation = 0.1; }, "                                   \
+          "{ quantity = \"youngs_modulus\"; distribution = \"lognormal\"; variation = 0.1; }, "                         \
+          "{ quantity = \"stiffness\"; distribution = \"lognormal\"; variation = 0.1; correlation_length = 8.0; modes = 10; }"
+
+// The nodes of a grid, given one by one, draw what they draw on it, and move by it as they do there, to rounding; of one material
+// and of two with an interface between them.
+static void samples_off_the_grid_are_those_on_it(void **state)
+{
+    (void)state;
+    static const char *const settings[2][2] = {
+        {PLATE BY_STRETCH LAYERS("0.02"), OF_NODES BY_STRETCH LAYERS("0.02")},
+        {IN_TWO("from = [-12, -12]; to = [12, 12];") LAYERS("0.02"),
+         IN_TWO("shape = \"nodes\"; file = \"plate.nodes\";") LAYERS("0.02")}};
+    write_nodes_of_plate("plate.nodes");
+    for (int k = 0; k < 2; k++) {
+        pdmc_results on, off;
+        run_torn(settings[k][0], ALL_FACTORS, 2, &(pdmc_run_options){.threads = 1}, &on);
+        run_torn(settings[k][1], ALL_FACTORS, 2, &(pdmc_run_options){.threads = 1}, &off);
+        const pdmc_ensemble_results *a = &on.ensemble, *b = &off.ensemble;
+        assert_int_equal(b->failed_count, 0);
+        for (int s = 0; s < 2; s++) {
+            assert_true(a->fracture[s] > 0.0);
+            CHECK_NEAR(b->load[s], a->load[s], 0.0);
+            // The steps differ, by the surface's nodes, and so what bonds have beyond s_0 when they break.
+            CHECK_NEAR(b->fracture[s], a->fracture[s], 1e-9 * a->fracture[s]);
+            for (int t = 0; t < 2; t++) CHECK_NEAR(b->growth[2 * s + t], a->growth[2 * s + t], 1e-9);
+        }
+        assert_true(a->fracture[0] != a->fracture[1]);
+        pdmc_results_clear(&on);
+        pdmc_results_clear(&off);
+    }
+}
+
+// Bonds off the grid have strengths of their own too, whatever the threads.
+static void strengths_off_the_grid_are_those_of_their_bonds(void **state)
+{
+    (void)state;
+    static const char strengths[] = "{ quantity = \"bond_strength\"; distribution = \"weibull\"; variation = 0.2; }";
+    write_nodes_of_plate("plate.nodes");
+    pdmc_results one, two;
+    run_torn(OF_NODES BY_STRETCH LAYERS("0.02"), strengths, 3, &(pdmc_run_options){.threads = 1}, &one);
+    run_torn(OF_NODES BY_STRETCH LAYERS("0.02"), strengths, 3, &(pdmc_run_options){.threads = 2}, &two);
+    check_same(&one.ensemble, &two.ensemble, 3);
+    assert_true(one.ensemble.fracture[0] != one.ensemble.fracture[1]);
+    assert_true(one.ensemble.fracture[1] != one.ensemble.fracture[2]);
+    assert_int_equal(one.ensemble.failed_count, 0);
+    pdmc_results_clear(&one);
+    pdmc_results_clear(&two);
+}
+
 // Counted again from the samples, by the functions of the statistics room.
 static void statistics_are_of_the_samples(void **state)
 {
@@ -321,6 +392,8 @@ int main(void)
         cmocka_unit_test(a_field_has_its_law_at_every_node),
         cmocka_unit_test(a_sample_is_a_study_with_its_factors),
         cmocka_unit_test(samples_do_not_depend_on_threads_or_on_their_number),
+        cmocka_unit_test(samples_off_the_grid_are_those_on_it),
+        cmocka_unit_test(strengths_off_the_grid_are_those_of_their_bonds),
         cmocka_unit_test(statistics_are_of_the_samples),
         cmocka_unit_test(a_sample_that_cannot_move_fails),
         cmocka_unit_test(a_path_follows_the_damage),
