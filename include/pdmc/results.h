@@ -243,6 +243,8 @@ typedef struct {
     int station_count;                                          // X
     double *station; // [X] distances ahead of the end of the crack, along its direction
     double *path;    // [S, T, X] how far to the left of that the damage is, NaN beyond its end
+    int condition_count;                  // C of a quasi-static study, 0 of one in motion
+    double *largest_force, *load_of_force; // [S, C] of a condition, by its norm, and the load at which it is
 
     pdmc_estimate *share;                     // [T, 4] probability of each outcome; bounds count failed samples as both
     pdmc_estimate *mean_growth, *deviation;   // [T]
@@ -253,6 +255,8 @@ typedef struct {
     double *path_samples;                     // [T, X] samples whose path reaches the station
     pdmc_estimate *path_mean;                 // [T, X] over these
     pdmc_estimate *path_quantiles;            // [T, X, Q]
+    pdmc_estimate *mean_force, *force_deviation; // [C] of the largest force
+    pdmc_estimate *force_quantiles;              // [C, Q]
 } pdmc_ensemble_results;
 /// A scalar study's levels, N of them, each with half the spacing or half the horizon of the one before; and the field of
 /// the last one, n values. The field has no unit. Roots of means of squares over the body.
@@ -399,6 +403,10 @@ typedef struct {
 
 /// Reads it off the records.
 PDMC_API pdmc_tip_growth pdmc_results_growth(const pdmc_explicit_record *record, int tip);
+
+/// The record at which the force of a condition is largest, by its norm; 0 without records. @param[out] force  that norm, or
+/// NULL
+PDMC_API int pdmc_results_largest_force(const pdmc_explicit_record *record, int condition, double *force);
 
 /// What a number of the results is measured in, and so what its unit is made of.
 typedef enum {

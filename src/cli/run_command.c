@@ -16,7 +16,7 @@
 static bool draws_samples(const pdmc_study *study)
 {
     const bool is_random = study->problem.uncertainty_count > 0;
-    return study->problem.kind == PDMC_STATIC || (study->problem.kind == PDMC_EXPLICIT && is_random);
+    return study->problem.kind == PDMC_STATIC || (pdmc_is_of_bodies(study->problem.kind) && is_random);
 }
 
 static const char *named(pdmc_problem_kind kind)
@@ -25,7 +25,7 @@ static const char *named(pdmc_problem_kind kind)
         [PDMC_STATIC] = "a static",
         [PDMC_DYNAMIC] = "a dynamic",
         [PDMC_EXPLICIT] = "this explicit",
-        [PDMC_QUASI_STATIC] = "a quasi-static",
+        [PDMC_QUASI_STATIC] = "this quasi-static",
         [PDMC_SCALAR] = "a scalar",
         [PDMC_ELASTIC] = "an elastic",
         [PDMC_QUADRATURE] = "a quadrature",
@@ -85,9 +85,10 @@ static int count_done(const pdmc_results *results)
     switch (results->kind) {
     case PDMC_STATIC: return results->sample_count;
     case PDMC_DYNAMIC: return results->motion.time_count - 1;
-    case PDMC_QUASI_STATIC: return results->particles.record_count - 1;
     case PDMC_SCALAR: return results->scalar.level_count;
     case PDMC_ELASTIC: return 1;
+    case PDMC_QUASI_STATIC:
+        return has_samples(results) ? results->ensemble.sample_count : results->particles.record_count - 1;
     case PDMC_EXPLICIT:
         return has_samples(results) ? results->ensemble.sample_count : (int)results->particles.steps;
     case PDMC_QUADRATURE: break;

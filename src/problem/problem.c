@@ -39,7 +39,7 @@ double pdmc_problem_nominal(const pdmc_problem *problem, pdmc_quantity quantity)
 {
     const pdmc_uncertainty *uncertainty = pdmc_problem_uncertainty(problem, quantity);
     const pdmc_crack *crack = uncertainty && problem->cracks ? &problem->cracks[uncertainty->crack] : NULL;
-    if (problem->kind == PDMC_EXPLICIT) return 1.0;
+    if (pdmc_is_of_bodies(problem->kind)) return 1.0;
     switch (quantity) {
     case PDMC_QUANTITY_CRACK_LENGTH:
         return crack ? hypot(crack->to[0] - crack->from[0], crack->to[1] - crack->from[1]) : 0.0;

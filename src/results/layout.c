@@ -8,6 +8,7 @@
 #define REST EXPLICIT "rest/" // ... and only the latter
 #define SPHERE_FORCE EXPLICIT "spheres/force"
 #define GENERATOR "mesh_generator"
+#define SAMPLE_FORCE REST "samples/largest_force"
 #define SCALAR "/scalar/" // ... and scalar ones
 #define ELASTIC "/elastic/" // ... and elastic ones
 #define QUADRATURE "/quadrature/" // ... and those of quadrature
@@ -225,7 +226,7 @@ const pdmc_dataset pdmc_datasets[] = {
     FRAGMENT("velocity", REAL, velocity, VELOCITY, "velocity of the centre of mass", 3, PDMC_DIM_AXIS),
 
     ARRAY(EXPLICIT "samples/failure", BYTE, uint8_t, ensemble.failure, NONE,
-          "0 where the sample is solved, 1 where a step could not be taken, 3 where a factor is not positive", PDMC_DIM_DRAW),
+          "0 where the sample is solved, 1 where a step could not be taken or no rest was found, 3 where a factor is not positive", PDMC_DIM_DRAW),
     DRAWN(load, NONE, "factor on all conditions"),
     DRAWN(velocity, NONE, "factor on the velocities at the start"),
     DRAWN(youngs_modulus, NONE, "factor on Young's modulus everywhere"),
@@ -257,6 +258,14 @@ const pdmc_dataset pdmc_datasets[] = {
           PDMC_DIM_DRAWN_TIP, PDMC_DIM_STATION),
     SUMMARY(path_mean, LENGTH, "mean of these paths", PDMC_DIM_STATION),
     SUMMARY(path_quantiles, LENGTH, "5, 50 and 95 % quantiles of these paths", PDMC_DIM_STATION, PDMC_DIM_QUANTILE),
+    REALS(SAMPLE_FORCE, ensemble.largest_force, FORCE, "largest force of each condition over the loads, as a norm",
+          PDMC_DIM_DRAW, PDMC_DIM_DRAWN_CONDITION),
+    REALS(SAMPLE_FORCE "_load", ensemble.load_of_force, NONE, "load at which it is", PDMC_DIM_DRAW, PDMC_DIM_DRAWN_CONDITION),
+    ESTIMATES(SAMPLE_FORCE "_mean", ensemble.mean_force, FORCE, "mean of the largest force", PDMC_DIM_DRAWN_CONDITION),
+    ESTIMATES(SAMPLE_FORCE "_deviation", ensemble.force_deviation, FORCE, "standard deviation of the largest force",
+              PDMC_DIM_DRAWN_CONDITION),
+    ESTIMATES(SAMPLE_FORCE "_quantiles", ensemble.force_quantiles, FORCE, "5, 50 and 95 % quantiles of the largest force",
+              PDMC_DIM_DRAWN_CONDITION, PDMC_DIM_QUANTILE),
     NUMBER(SCALAR "dimension", INT, scalar.dimension, NONE, "of space"),
     NUMBER(SCALAR "power", REAL, scalar.power, NONE, "p of the kernel c(r) ~ r^-p"),
     NUMBER(SCALAR "wave_number", REAL, scalar.wave_number, NONE, "|k| of the wave, 1 / length"),
@@ -511,6 +520,7 @@ static const struct {
     [PDMC_DIM_FRAGMENT] = {"piece", MEMBER(particles.fragment_count), true, 0},
     [PDMC_DIM_DRAW] = {"sample", MEMBER(ensemble.sample_count), true, 0},
     [PDMC_DIM_DRAWN_TIP] = {"tip", MEMBER(ensemble.tip_count), true, 0},
+    [PDMC_DIM_DRAWN_CONDITION] = {"condition", MEMBER(ensemble.condition_count), true, 0},
     [PDMC_DIM_STATION] = {"station", MEMBER(ensemble.station_count), true, 0},
     [PDMC_DIM_OUTCOME] = {"still, arrested, running, through", 0, false, PDMC_OUTCOMES},
     [PDMC_DIM_LEVEL] = {"level", MEMBER(scalar.level_count), true, 0},
@@ -591,7 +601,7 @@ bool pdmc_attribute_belongs(const pdmc_results *results, const pdmc_attribute *a
 bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset)
 {
     // What files of earlier versions do not hold.
-    static const char *const later[] = {PEAK_MEMORY, ACCURACY, FRACTURE_ENERGY, SOLVER, LARGEST, GIVEN_REST, SPHERE_FORCE, CONDITIONAL, REPLICATES, CONTROL, RELIABILITY, FORCE_ERROR};
+    static const char *const later[] = {PEAK_MEMORY, ACCURACY, FRACTURE_ENERGY, SOLVER, LARGEST, GIVEN_REST, SPHERE_FORCE, SAMPLE_FORCE, CONDITIONAL, REPLICATES, CONTROL, RELIABILITY, FORCE_ERROR};
     for (size_t i = 0; i < COUNT(later); i++)
         if (strncmp(dataset->path, later[i], strlen(later[i])) == 0) return true;
     return false;

@@ -6,6 +6,7 @@
 #include "run/ensemble_summary.h"
 #include "run/explicit.h"
 #include "run/outcome.h"
+#include "run/quasi_static.h"
 
 #include <math.h>
 #include <omp.h>
@@ -77,11 +78,18 @@ static void keep_tip(const ensemble *e, const pdmc_explicit_record *r, size_t in
     const double front = count > 0 ? out->station[count - 1] : 0.0, left = count > 0 ? path[count - 1] : 0.0;
     out->growth[at] = g.growth;
     out->begin[at] = g.begin;
-    out->mean_speed[at] = g.mean_speed;
-    out->most_speed[at] = g.most_speed;
+    out->mean_speed[at] = e->study.load_steps > 0 ? NAN : g.mean_speed; // loads are no time
+    out->most_speed[at] = e->study.load_steps > 0 ? NAN : g.most_speed;
     out->outcome[at] = (uint8_t)pdmc_tip_outcome(&e->study, r, (int)t, e->reach[t], front);
     out->end[2 * at] = tip->position[0] + front * tip->direction[0] - left * tip->direction[1];
     out->end[2 * at + 1] = tip->position[1] + front * tip->direction[1] + left * tip->direction[0];
+}
+
+static void keep_force(const ensemble *e, const pdmc_explicit_record *r, size_t index, size_t condition)
+{
+    const size_t at = index * (size_t)e->results->condition_count + condition;
+    const int record = pdmc_results_largest_force(r, (int)condition, &e->results->largest_force[at]);
+    e->results->load_of_force[at] = r->time[record];
 }
 
 static void keep_factors(const ensemble *e, size_t index, const pdmc_explicit_sample *sample)
@@ -97,12 +105,21 @@ static void forget(const ensemble *e, size_t index)
 {
     pdmc_ensemble_results *out = e->results;
     const size_t tips = (size_t)out->tip_count, stations = tips * (size_t)out->station_count;
+    const size_t conditions = (size_t)out->condition_count;
     out->fracture[index] = NAN;
     for (size_t t = index * tips; t < (index + 1) * tips; t++) {
         out->growth[t] = out->begin[t] = out->mean_speed[t] = out->most_speed[t] = NAN;
         out->end[2 * t] = out->end[2 * t + 1] = NAN;
     }
     for (size_t j = index * stations; j < (index + 1) * stations; j++) out->path[j] = NAN;
+    for (size_t c = index * conditions; c < (index + 1) * conditions; c++)
+        out->largest_force[c] = out->load_of_force[c] = NAN;
+}
+
+static pdmc_status run_study(const pdmc_explicit *study, const pdmc_explicit_sample *sample,
+                             const pdmc_run_options *options, pdmc_results *results)
+{
+    return (study->load_steps > 0 ? pdmc_run_quasi_static : pdmc_run_explicit)(study, sample, options, results);
 }
 
 // What the engine refuses of a sample, such as a step that its stiffness makes unstable, is a sample that fails.
@@ -110,15 +127,17 @@ static pdmc_status move_sample(ensemble *e, int index, const pdmc_explicit_sampl
 {
     pdmc_results r = {0};
     const pdmc_run_options options = {.threads = e->inner_threads, .progress = go_on, .context = e};
-    pdmc_status status = pdmc_run_explicit(&e->study, sample, &options, &r);
+    pdmc_status status = run_study(&e->study, sample, &options, &r);
     const bool is_refused = status == PDMC_ERR_CONFIG;
     if (status == PDMC_ERR_INTERRUPTED || is_refused) status = PDMC_OK;
     else if (status == PDMC_OK && r.status == PDMC_RUN_COMPLETE) {
         e->results->fracture[index] = r.particles.fracture[r.particles.record_count - 1];
         for (size_t t = 0; t < (size_t)r.particles.tip_count; t++) keep_tip(e, &r.particles, (size_t)index, t);
+        for (size_t c = 0; c < (size_t)e->results->condition_count; c++) keep_force(e, &r.particles, (size_t)index, c);
         mark_done(e, index, PDMC_SAMPLE_OK);
     }
-    if (is_refused || r.status == PDMC_RUN_NOT_FINITE) mark_done(e, index, PDMC_SAMPLE_DIVERGED);
+    if (is_refused || r.status == PDMC_RUN_NOT_FINITE || r.status == PDMC_RUN_NO_REST)
+        mark_done(e, index, PDMC_SAMPLE_DIVERGED);
     pdmc_results_clear(&r);
     return status;
 }
@@ -159,6 +178,8 @@ static pdmc_status allocate(ensemble *e)
     PDMC_NEW(out->most_speed, tips);
     PDMC_NEW(out->end, 2 * tips);
     PDMC_NEW(out->path, tips * (size_t)out->station_count);
+    PDMC_NEW(out->largest_force, samples * (size_t)out->condition_count);
+    PDMC_NEW(out->load_of_force, samples * (size_t)out->condition_count);
     PDMC_NEW(e->is_done, samples);
 done:
     return status;
@@ -212,6 +233,7 @@ static pdmc_status sample(const pdmc_study *study, const pdmc_run_options *optio
     e.study.snapshots = 1;
     PDMC_TRY(pdmc_ensemble_draws_create(study, &results->particles, options->threads, &e.draws));
     results->ensemble.tip_count = results->particles.tip_count;
+    if (e.study.load_steps > 0) results->ensemble.condition_count = results->particles.condition_count;
     PDMC_TRY(place_stations(&e));
     PDMC_TRY(allocate(&e));
     run_samples(&e);
@@ -219,7 +241,7 @@ static pdmc_status sample(const pdmc_study *study, const pdmc_run_options *optio
     count_samples(&e);
     if (results->ensemble.sample_count < e.total) results->status = PDMC_RUN_INTERRUPTED;
     if (results->ensemble.sample_count > 0) status = pdmc_ensemble_summarise(results);
-    else results->ensemble.tip_count = 0;
+    else results->ensemble.tip_count = results->ensemble.condition_count = 0;
     results->runtime.sampling = pdmc_seconds() - start;
 done:
     pdmc_ensemble_draws_clear(&e.draws);
@@ -247,7 +269,7 @@ pdmc_status pdmc_run_ensemble(const pdmc_study *study, const pdmc_run_options *o
     prelude before = {options, study->problem.sampling.samples};
     pdmc_run_options own = *options;
     if (is_random) own.progress = go_on_before, own.context = &before;
-    const pdmc_status status = pdmc_run_explicit(&study->motion, NULL, &own, results);
+    const pdmc_status status = run_study(&study->motion, NULL, &own, results);
     if (status != PDMC_OK || !is_random || results->status != PDMC_RUN_COMPLETE) return status;
     return sample(study, options, results);
 }

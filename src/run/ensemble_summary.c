@@ -25,6 +25,9 @@ static pdmc_status allocate(pdmc_results *results)
     PDMC_NEW(e->path_samples, stations);
     PDMC_NEW(e->path_mean, stations);
     PDMC_NEW(e->path_quantiles, stations * PDMC_QUANTILES);
+    PDMC_NEW(e->mean_force, e->condition_count);
+    PDMC_NEW(e->force_deviation, e->condition_count);
+    PDMC_NEW(e->force_quantiles, (size_t)e->condition_count * PDMC_QUANTILES);
 done:
     return status;
 }
@@ -81,6 +84,14 @@ static void summarise_path(pdmc_results *results, size_t place, double x[])
     find_quantiles(count, x, results->confidence, &e->path_quantiles[place * PDMC_QUANTILES]);
 }
 
+static void summarise_force(pdmc_results *results, size_t condition, double x[])
+{
+    const pdmc_ensemble_results *e = &results->ensemble;
+    const size_t count = gather(e, e->largest_force, (size_t)e->condition_count, condition, x);
+    pdmc_statistics_moments(count, x, results->confidence, &e->mean_force[condition], &e->force_deviation[condition]);
+    find_quantiles(count, x, results->confidence, &e->force_quantiles[condition * PDMC_QUANTILES]);
+}
+
 pdmc_status pdmc_ensemble_summarise(pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
@@ -96,6 +107,7 @@ pdmc_status pdmc_ensemble_summarise(pdmc_results *results)
         for (size_t j = 0; j < (size_t)e->station_count; j++)
             summarise_path(results, t * (size_t)e->station_count + j, x);
     }
+    for (size_t c = 0; c < (size_t)e->condition_count; c++) summarise_force(results, c, x);
 done:
     pdmc_free(x);
     return status;

@@ -51,5 +51,6 @@ pdmc_outcome pdmc_tip_outcome(const pdmc_explicit *study, const pdmc_explicit_re
     const double end = r->time[r->record_count - 1];
     if (!(g.growth > 0.0)) return PDMC_OUTCOME_STILL;
     if (front >= reach - study->horizon) return PDMC_OUTCOME_THROUGH;
-    return g.end > end - study->speed_window ? PDMC_OUTCOME_RUNNING : PDMC_OUTCOME_ARRESTED;
+    const double window = study->load_steps > 0 ? 0.5 * study->load_ends[1] / study->load_steps : study->speed_window;
+    return g.end > end - window ? PDMC_OUTCOME_RUNNING : PDMC_OUTCOME_ARRESTED;
 }

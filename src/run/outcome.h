@@ -19,6 +19,7 @@ double pdmc_tip_reach(const pdmc_explicit *study, const pdmc_followed_tip *tip, 
 int pdmc_tip_path(const pdmc_explicit *study, const pdmc_explicit_record *record, const pdmc_followed_tip *tip,
                   const double damage[], int stations, double offset[]);
 
+/// A tip still runs if it moved in the study's window of speeds before the end, or at the last load.
 /// @param[in] reach  of the body ahead of the tip
 /// @param[in] front  of the path, ahead of the end of the crack
 pdmc_outcome pdmc_tip_outcome(const pdmc_explicit *study, const pdmc_explicit_record *record, int tip, double reach,

@@ -85,16 +85,18 @@ static pdmc_status load_all(run *r)
     return status;
 }
 
-pdmc_status pdmc_run_quasi_static(const pdmc_explicit *study, const pdmc_run_options *options, pdmc_results *results)
+pdmc_status pdmc_run_quasi_static(const pdmc_explicit *study, const pdmc_explicit_sample *sample,
+                                  const pdmc_run_options *options, pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
     pdmc_particles *particles = NULL;
     run r = {.study = study,
              .options = options,
              .results = results,
-             .recorder = {.study = study, .record = &results->particles}};
+             .recorder = {.study = study, .record = &results->particles, .tips_alone = sample != NULL}};
     if (!go_on(&r, 0)) PDMC_FAIL(PDMC_ERR_INTERRUPTED, "stopped before the first load: there is nothing to save");
-    PDMC_TRY(pdmc_explicit_particles(study, options->threads, &particles));
+    PDMC_TRY(sample ? pdmc_explicit_sample_particles(study, sample, options->threads, &particles)
+                    : pdmc_explicit_particles(study, options->threads, &particles));
     r.recorder.particles = particles;
     PDMC_TRY(prepare(&r));
     const double start = pdmc_seconds();

@@ -245,9 +245,9 @@ pdmc_status pdmc_recorder_take_record(pdmc_recorder *r)
     r->record->time[at] = pdmc_particles_time(r->particles);
     record_tips(r, at);
     if (!r->tips_alone || at == r->records - 1) record_sums(r, at);
+    if (!r->tips_alone || r->study->load_steps > 0) record_conditions(r, at);
     if (r->tips_alone) return PDMC_OK;
     record_spheres(r, at);
-    record_conditions(r, at);
     const pdmc_status status = record_precision(r, at);
     return status == PDMC_OK ? record_fragments(r, at) : status;
 }

@@ -12,7 +12,8 @@ typedef struct {
     pdmc_explicit_record *record;
     int records;    // at most
     int snapshots;  // that are asked for
-    bool tips_alone; // of samples, for time's sake: records of the tips, sums with the last one, snapshots without pieces
+    bool tips_alone; // of samples, for time's sake: records of the tips, and of conditions at rest;
+                     // sums with the last one, snapshots without pieces
     double *front;  // [tips] at the start
     double *damage; // [nodes]
     int *piece;     // [nodes] that they are in, as of the last record

@@ -10,7 +10,6 @@
 #include "run/family.h"
 #include "run/motion.h"
 #include "run/quadrature.h"
-#include "run/quasi_static.h"
 #include "run/scalar.h"
 
 #include <gsl/gsl_math.h>
@@ -64,7 +63,7 @@ static pdmc_status describe_study(const pdmc_study *study, pdmc_results *results
     results->bonds = problem->energy.bonds;
     results->replicates = problem->sampling.design == PDMC_DESIGN_MONTE_CARLO ? 0 : problem->sampling.replicates;
     if (problem->kind == PDMC_STATIC) results->histogram_bins = HISTOGRAM_BINS;
-    if (problem->kind == PDMC_EXPLICIT && problem->uncertainty_count > 0) results->histogram_bins = BINS_OF_FEW;
+    if (pdmc_is_of_bodies(problem->kind) && problem->uncertainty_count > 0) results->histogram_bins = BINS_OF_FEW;
 done:
     return status;
 }
@@ -219,8 +218,7 @@ pdmc_status pdmc_run(const pdmc_study *study, const pdmc_run_options *options, p
     const double start = pdmc_seconds();
     *results = (pdmc_results){.accuracy = pdmc_no_accuracy};
     PDMC_TRY(describe_study(study, results));
-    if (problem->kind == PDMC_QUASI_STATIC) PDMC_TRY(pdmc_run_quasi_static(&study->motion, options, results));
-    else if (problem->kind == PDMC_EXPLICIT) PDMC_TRY(pdmc_run_ensemble(study, options, results));
+    if (pdmc_is_of_bodies(problem->kind)) PDMC_TRY(pdmc_run_ensemble(study, options, results));
     else if (problem->kind == PDMC_ELASTIC) PDMC_TRY(pdmc_run_elastic(&study->elastic, options, results));
     else if (problem->kind == PDMC_SCALAR) PDMC_TRY(pdmc_run_scalar(&study->scalar, options, results));
     else if (problem->kind == PDMC_QUADRATURE) PDMC_TRY(pdmc_run_quadrature(&study->quadrature, options, results));

@@ -196,15 +196,18 @@ static pdmc_status check_scalar(const pdmc_study_reader *reader, int index)
 static pdmc_status check_kind(const pdmc_study_reader *reader, int index)
 {
     const pdmc_quantity quantity = reader->problem->uncertainties[index].quantity;
-    const bool is_explicit = reader->problem->kind == PDMC_EXPLICIT;
+    const bool is_of_bodies = pdmc_is_of_bodies(reader->problem->kind);
     const bool is_of_bonds = quantity == PDMC_QUANTITY_VELOCITY || quantity == PDMC_QUANTITY_BOND_STRENGTH;
     const bool is_of_both = quantity == PDMC_QUANTITY_STIFFNESS || quantity == PDMC_QUANTITY_LOAD ||
                             quantity == PDMC_QUANTITY_YOUNGS_MODULUS || quantity == PDMC_QUANTITY_FRACTURE_ENERGY;
-    if (is_explicit ? is_of_bonds || is_of_both : !is_of_bonds) return PDMC_OK;
-    return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "quantity"},
-                             is_explicit ? "is not known of an explicit study, must be \"stiffness\", \"youngs_modulus\", "
-                                           "\"fracture_energy\", \"bond_strength\", \"load\" or \"velocity\""
-                                         : "is of explicit studies alone");
+    const pdmc_study_address at = {SECTION_RANDOM, index, "quantity"};
+    if (reader->problem->kind == PDMC_QUASI_STATIC && quantity == PDMC_QUANTITY_VELOCITY)
+        return pdmc_study_refuse(reader, at, "is of what moves, a quasi-static study has none");
+    if (is_of_bodies ? is_of_bonds || is_of_both : !is_of_bonds) return PDMC_OK;
+    return pdmc_study_refuse(reader, at,
+                             is_of_bodies ? "is not known of bodies of bonds, must be \"stiffness\", \"youngs_modulus\", "
+                                            "\"fracture_energy\", \"bond_strength\", \"load\" or \"velocity\""
+                                          : "is of bodies of bonds alone");
 }
 
 pdmc_status pdmc_study_check_random(const pdmc_study_reader *reader)
@@ -226,10 +229,10 @@ done:
     return status;
 }
 
-// Of an explicit study, which draws such quantities for every node or bond.
+// Of bodies of bonds, which draw such quantities for every node or bond.
 static bool differs_in_space(const pdmc_problem *p, pdmc_quantity quantity)
 {
-    if (p->kind != PDMC_EXPLICIT) return false;
+    if (!pdmc_is_of_bodies(p->kind)) return false;
     return quantity == PDMC_QUANTITY_BOND_STRENGTH ||
            (quantity == PDMC_QUANTITY_FRACTURE_ENERGY && pdmc_problem_varies_toughness(p));
 }
@@ -246,7 +249,7 @@ static pdmc_status check_pair(const pdmc_study_reader *reader, int index)
     for (int k = 0; k < 2; k++)
         if (differs_in_space(reader->problem, both[k]))
             return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_CORRELATIONS, index, k ? "second" : "first"},
-                                     "differs from place to place, must have one value a sample in an explicit study");
+                                     "differs from place to place, must have one value a sample in a study of bodies of bonds");
     if (pair->first == pair->second) return pdmc_study_refuse(reader, at, "must be another quantity than first");
     for (int j = 0; j < index; j++) {
         const pdmc_correlation *other = &reader->problem->correlations[j];
@@ -316,7 +319,7 @@ static pdmc_status check_target(const pdmc_study_reader *reader)
 }
 
 // Without anything random there is one sample.
-static pdmc_status check_explicit_samples(const pdmc_study_reader *reader)
+static pdmc_status check_samples_of_bodies(const pdmc_study_reader *reader)
 {
     if (reader->problem->uncertainty_count == 0) reader->problem->sampling.samples = 1;
     return PDMC_OK;
@@ -326,7 +329,7 @@ pdmc_status pdmc_study_check_sampling(const pdmc_study_reader *reader)
 {
     const pdmc_problem *p = reader->problem;
     const int samples = p->sampling.samples, replicates = p->sampling.replicates;
-    if (p->kind == PDMC_EXPLICIT) return check_explicit_samples(reader);
+    if (pdmc_is_of_bodies(p->kind)) return check_samples_of_bodies(reader);
     if (p->sampling.design != PDMC_DESIGN_MONTE_CARLO && samples % replicates != 0)
         return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_SAMPLING, -1, "samples"},
                                  "%d is not allowed, must be a multiple of the %d replicates of the design, such as %d",

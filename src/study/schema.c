@@ -258,9 +258,9 @@ const pdmc_study_setting pdmc_study_settings[] = {
             "load_direction_top turns that by degrees, counter-clockwise, load_noise_top is a normal process along the side by "
             "which it varies; stiffness is a field in space, and with a correlation_length so is the fracture_energy, of which every tip sees its own "
             "value; a crack is as long as crack_length, turned about its middle by crack_angle in degrees, and shifted by crack_x "
-            "and crack_y: every sample is then discretised anew; in an explicit study there are stiffness, fracture_energy "
-            "(with a correlation_length a field of x and y), youngs_modulus, load (on all conditions), velocity (of bodies and spheres at the "
-            "start) and bond_strength (of every bond by itself), all of them factors of mean 1"},
+            "and crack_y: every sample is then discretised anew; of bodies of bonds there are stiffness, fracture_energy "
+            "(with a correlation_length a field of x and y), youngs_modulus, load (on all conditions, and on the way of spheres at rest), velocity (of bodies and "
+            "spheres at the start of an explicit study) and bond_strength (of every bond by itself), all of them factors of mean 1"},
     {SECTION_RANDOM, "crack", KIND_CRACK, .offset = offsetof(pdmc_uncertainty, crack), .quantities = OF_CRACK,
      .fallback = "the first crack", .doc = "that a length, an angle or a shift is of"},
     {SECTION_RANDOM, "model", KIND_CHOICE, .offset = offsetof(pdmc_uncertainty, model), .choices = RADIAL_MODELS,

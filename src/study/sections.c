@@ -9,7 +9,7 @@
     .size = sizeof(type), .items = offsetof(pdmc_problem, field), .count = offsetof(pdmc_problem, length)
 #define PARTICLE_LIST(type, field, length)                                                                             \
     .size = sizeof(type), .items = offsetof(pdmc_explicit, field), .count = offsetof(pdmc_explicit, length)
-#define OF_SAMPLES .kinds = ONLY(PDMC_STATIC) | ONLY(PDMC_EXPLICIT)
+#define OF_SAMPLES .kinds = ONLY(PDMC_STATIC) | ONLY(PDMC_EXPLICIT) | ONLY(PDMC_QUASI_STATIC)
 #define OF_PLATES .kinds = ONLY(PDMC_STATIC) | ONLY(PDMC_DYNAMIC)
 #define OF_BODIES .kinds = ONLY(PDMC_EXPLICIT) | ONLY(PDMC_QUASI_STATIC)
 

@@ -38,5 +38,6 @@ pdmc_status pdmc_csv_fragments(const pdmc_results *results, FILE *stream);
 /// ... of its samples: a row a sample and tip, and a row a tip and station of the paths.
 pdmc_status pdmc_csv_draws(const pdmc_results *results, FILE *stream);
 pdmc_status pdmc_csv_paths(const pdmc_results *results, FILE *stream);
+pdmc_status pdmc_csv_forces(const pdmc_results *results, FILE *stream);
 /// Of a study of quadrature: a row a rule and spacing.
 pdmc_status pdmc_csv_quadrature(const pdmc_results *results, FILE *stream);

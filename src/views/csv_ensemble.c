@@ -56,6 +56,24 @@ pdmc_status pdmc_csv_draws(const pdmc_results *r, FILE *stream)
     return PDMC_OK;
 }
 
+pdmc_status pdmc_csv_forces(const pdmc_results *r, FILE *stream)
+{
+    const pdmc_ensemble_results *e = &r->ensemble;
+    fputs("sample,failure,load,youngs_modulus,fracture_energy,condition", stream);
+    pdmc_csv_column(stream, "largest_force", r->force_unit);
+    fputs(",load_of_largest_force\n", stream);
+    for (int i = 0; i < e->sample_count * e->condition_count; i++) {
+        const int s = i / e->condition_count;
+        fprintf(stream, "%d,%d", s, e->failure[s]);
+        pdmc_csv_numbers(stream, 3, (double[]){e->load[s], e->youngs_modulus[s], e->fracture_energy[s]});
+        fputc(',', stream);
+        pdmc_csv_text(stream, r->particles.conditions[i % e->condition_count].name);
+        pdmc_csv_numbers(stream, 2, (double[]){e->largest_force[i], e->load_of_force[i]});
+        fputc('\n', stream);
+    }
+    return PDMC_OK;
+}
+
 pdmc_status pdmc_csv_paths(const pdmc_results *r, FILE *stream)
 {
     const pdmc_ensemble_results *e = &r->ensemble;

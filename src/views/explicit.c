@@ -46,16 +46,6 @@ double pdmc_norm_of(const double x[PDMC_AXES])
     return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
 }
 
-int pdmc_largest_force_at(const pdmc_explicit_record *r, int condition)
-{
-    int at = 0;
-    for (int i = 1; i < r->record_count; i++)
-        if (pdmc_norm_of(pdmc_of_condition(r, r->condition_force, i, condition)) >
-            pdmc_norm_of(pdmc_of_condition(r, r->condition_force, at, condition)))
-            at = i;
-    return at;
-}
-
 size_t pdmc_last_state(const pdmc_explicit_record *record)
 {
     return record->snapshot_count > 0 ? (size_t)(record->snapshot_count - 1) * (size_t)record->node_count : 0;

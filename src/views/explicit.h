@@ -21,9 +21,6 @@ double pdmc_explicit_force_error(const pdmc_explicit_record *record);
 /// Whether the records are of states of rest, and their times of loads.
 bool pdmc_is_at_rest(const pdmc_explicit_record *record);
 
-/// The record at which a condition's force is largest, by its norm.
-int pdmc_largest_force_at(const pdmc_explicit_record *record, int condition);
-
 /// The norm of three numbers.
 double pdmc_norm_of(const double x[PDMC_AXES]);
 

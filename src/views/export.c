@@ -311,6 +311,7 @@ static const csv_file files[] = {
     {"fragments.csv", PDMC_EXPLICIT, .print = pdmc_csv_fragments},
     {"samples.csv", PDMC_EXPLICIT, .print = pdmc_csv_draws},
     {"paths.csv", PDMC_EXPLICIT, .print = pdmc_csv_paths},
+    {"forces.csv", PDMC_EXPLICIT, .print = pdmc_csv_forces},
     {"levels.csv", PDMC_SCALAR, .print = pdmc_csv_levels},
     {"line.csv", PDMC_ELASTIC, .print = pdmc_csv_line},
     {"nodes.csv", PDMC_ELASTIC, .print = pdmc_csv_solid_nodes},
@@ -325,6 +326,7 @@ static bool is_wanted(const pdmc_results *r, const csv_file *file)
     const bool is_of_draws = file->print == pdmc_csv_draws || file->print == pdmc_csv_paths;
     if (file->write == write_energy_samples && !energies_are_few(r)) return false;
     if (is_of_draws && r->ensemble.sample_count == 0) return false;
+    if (file->print == pdmc_csv_forces && r->ensemble.condition_count == 0) return false;
     return file->kind == (pdmc_is_of_bodies(r->kind) ? PDMC_EXPLICIT : r->kind);
 }
 

@@ -71,10 +71,23 @@ static json_t *tip(const pdmc_results *r, int t)
     return object;
 }
 
+static json_t *condition(const pdmc_results *r, int c)
+{
+    const pdmc_ensemble_results *e = &r->ensemble;
+    json_t *object = json_object();
+    pdmc_json_put(&object, "name", pdmc_json_text(r->particles.conditions[c].name));
+    pdmc_json_put(&object, "mean_largest_force", pdmc_json_estimate(&e->mean_force[c]));
+    pdmc_json_put(&object, "deviation", pdmc_json_estimate(&e->force_deviation[c]));
+    pdmc_json_put(&object, "quantiles", estimates(PDMC_QUANTILES, 1, &e->force_quantiles[c * PDMC_QUANTILES]));
+    pdmc_json_put(&object, "largest_force", column(e, e->largest_force, e->condition_count, c));
+    pdmc_json_put(&object, "load_of_largest_force", column(e, e->load_of_force, e->condition_count, c));
+    return object;
+}
+
 json_t *pdmc_json_ensemble(const pdmc_results *r)
 {
     const pdmc_ensemble_results *e = &r->ensemble;
-    json_t *object = json_object(), *tips = json_array();
+    json_t *object = json_object(), *tips = json_array(), *conditions = json_array();
     pdmc_json_put(&object, "samples", json_integer(e->sample_count));
     pdmc_json_put(&object, "failed", json_integer(e->failed_count));
     pdmc_json_put(&object, "seed", pdmc_json_seed(r->seed));
@@ -87,5 +100,8 @@ json_t *pdmc_json_ensemble(const pdmc_results *r)
     pdmc_json_put(&object, "stations", pdmc_json_numbers((size_t)e->station_count, e->station));
     for (int t = 0; t < e->tip_count; t++) pdmc_json_append(&tips, tip(r, t));
     pdmc_json_put(&object, "tips", tips);
+    for (int c = 0; c < e->condition_count; c++) pdmc_json_append(&conditions, condition(r, c));
+    if (e->condition_count > 0) pdmc_json_put(&object, "conditions", conditions);
+    else json_decref(conditions);
     return object;
 }

@@ -85,9 +85,9 @@ static json_t *condition(const pdmc_explicit_record *p, int c)
                          pdmc_json_numbers(PDMC_AXES, pdmc_of_condition(p, p->condition_displacement, i, c)));
     }
     if (pdmc_is_at_rest(p) && p->record_count > 0) {
-        const int at = pdmc_largest_force_at(p, c);
-        pdmc_json_put(&object, "largest_force",
-                      pdmc_json_number(pdmc_norm_of(pdmc_of_condition(p, p->condition_force, at, c))));
+        double largest;
+        const int at = pdmc_results_largest_force(p, c, &largest);
+        pdmc_json_put(&object, "largest_force", pdmc_json_number(largest));
         pdmc_json_put(&object, "displacement_at_largest_force",
                       pdmc_json_number(pdmc_norm_of(pdmc_of_condition(p, p->condition_displacement, at, c))));
     }

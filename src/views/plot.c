@@ -24,6 +24,7 @@ typedef enum {
     OF_EXPLICIT_MASSES,
     OF_GROWTH,
     OF_PATHS,
+    OF_FORCES,
     OF_QUADRATURE_POINTS,
     OF_QUADRATURE_TIME
 } subject;
@@ -50,6 +51,7 @@ static pdmc_status draw(const pdmc_results *r, subject of, int tip, pdmc_measure
     case OF_EXPLICIT_FRAGMENTS: return pdmc_draw_explicit_fragments(r, figure);
     case OF_GROWTH: pdmc_draw_growth(r, tip, figure); break;
     case OF_PATHS: pdmc_draw_paths(r, figure); break;
+    case OF_FORCES: return pdmc_draw_forces(r, tip, figure);
     case OF_EXPLICIT_MASSES: pdmc_draw_explicit_masses(r, figure); break;
     case OF_QUADRATURE_POINTS: pdmc_draw_quadrature_points(r, figure); break;
     case OF_QUADRATURE_TIME: pdmc_draw_quadrature_time(r, figure); break;
@@ -131,6 +133,10 @@ static pdmc_status plot_ensemble(const pdmc_results *r, const char *folder)
         status = plot(r, folder, stem, OF_GROWTH, t, r->measure);
     }
     if (r->ensemble.tip_count > 0 && status == PDMC_OK) status = plot(r, folder, "paths", OF_PATHS, 0, r->measure);
+    for (int c = 0; c < r->ensemble.condition_count && status == PDMC_OK; c++) {
+        snprintf(stem, sizeof stem, "forces_%s", r->particles.conditions[c].name);
+        status = plot(r, folder, stem, OF_FORCES, c, r->measure);
+    }
     return status;
 }
 

@@ -2,8 +2,10 @@
 
 /// Pictures of the samples of an explicit study: how far a tip grows, and which way.
 
+#include "base/base_impl.h"
 #include "views/plots.h"
 
+#include <gsl/gsl_sort.h>
 #include <math.h>
 
 /// The bars of the bins, and marks of the quantiles.
@@ -30,6 +32,41 @@ void pdmc_draw_growth(const pdmc_results *r, int tip, const pdmc_figure *figure)
           script);
     fprintf(script, "%d samples, intervals at %.3g; dashed: 5, 50 and 95 %%'\n", e->sample_count - e->failed_count,
             r->confidence);
+}
+
+/// The share of samples that have broken up to a force, and the quantiles with their intervals.
+pdmc_status pdmc_draw_forces(const pdmc_results *r, int condition, const pdmc_figure *figure)
+{
+    pdmc_status status = PDMC_OK;
+    FILE *script = figure->script;
+    const pdmc_ensemble_results *e = &r->ensemble;
+    size_t count = 0;
+    double *force = NULL;
+    PDMC_NEW(force, e->sample_count);
+    for (int s = 0; s < e->sample_count; s++)
+        if (e->failure[s] == PDMC_SAMPLE_OK) force[count++] = e->largest_force[s * e->condition_count + condition];
+    gsl_sort(force, 1, count);
+    fputs("$share << EOD\n", script);
+    for (size_t k = 0; k < count; k++)
+        fprintf(script, "%.9g %.9g\n%.9g %.9g\n", force[k], (double)k / (double)count, force[k],
+                (double)(k + 1) / (double)count);
+    fputs("EOD\n$quantiles << EOD\n", script);
+    for (int q = 0; q < PDMC_QUANTILES; q++) {
+        const pdmc_estimate *x = &e->force_quantiles[condition * PDMC_QUANTILES + q];
+        fprintf(script, "%.9g %.9g %.9g %.9g\n", x->value, pdmc_quantile_levels[q], x->lower, x->upper);
+    }
+    fputs("EOD\n", script);
+    pdmc_figure_label(figure, "xlabel", "Largest force (", r->force_unit, ")");
+    pdmc_figure_label(figure, "ylabel", "Share of samples up to it", "", "");
+    fprintf(script,
+            "set yrange [0:1]\nset key outside top center horizontal\n"
+            "plot $share using 1:2 with lines linecolor " PDMC_BLUE " title '%zu samples', "
+            "$quantiles using 1:2:3:4 with xerrorbars pointtype 7 linecolor " PDMC_VERMILION
+            " title '5, 50 and 95 %%, intervals at %.3g'\n",
+            count, r->confidence);
+done:
+    pdmc_free(force);
+    return status;
 }
 
 /// A path from the end of the crack on, in the plate's coordinates.

@@ -54,6 +54,9 @@ pdmc_status pdmc_draw_explicit_fragments(const pdmc_results *r, pdmc_figure *fig
 void pdmc_draw_growth(const pdmc_results *r, int tip, const pdmc_figure *figure);
 void pdmc_draw_paths(const pdmc_results *r, const pdmc_figure *figure);
 
+/// Of those of a quasi-static one: the distribution of a condition's largest force.
+pdmc_status pdmc_draw_forces(const pdmc_results *r, int condition, const pdmc_figure *figure);
+
 /// How many pieces are at least as heavy as any mass.
 void pdmc_draw_explicit_masses(const pdmc_results *r, const pdmc_figure *figure);
 

@@ -29,6 +29,19 @@ static void print_tip(const pdmc_results *r, int t, FILE *stream)
                 with_interval(text, &e->growth_quantiles[t * PDMC_QUANTILES + q]));
 }
 
+static void print_force(const pdmc_results *r, int c, FILE *stream)
+{
+    const pdmc_ensemble_results *e = &r->ensemble;
+    char text[ESTIMATE_SIZE], name[PDMC_LINE_SIZE], unit[PDMC_LINE_SIZE];
+    fprintf(stream, "\n  %.60s, largest force, %.20s\n", pdmc_one_line(name, r->particles.conditions[c].name),
+            pdmc_one_line(unit, r->force_unit));
+    fprintf(stream, "    mean            %s\n", with_interval(text, &e->mean_force[c]));
+    fprintf(stream, "    deviation       %s\n", with_interval(text, &e->force_deviation[c]));
+    for (int q = 0; q < PDMC_QUANTILES; q++)
+        fprintf(stream, "    %2.0f %% quantile   %s\n", 100.0 * pdmc_quantile_levels[q],
+                with_interval(text, &e->force_quantiles[c * PDMC_QUANTILES + q]));
+}
+
 void pdmc_table_ensemble(const pdmc_results *r, FILE *stream)
 {
     const pdmc_ensemble_results *e = &r->ensemble;
@@ -39,5 +52,6 @@ void pdmc_table_ensemble(const pdmc_results *r, FILE *stream)
             e->sample_count, (unsigned long long)r->seed, e->failed_count, pdmc_one_line(length, r->length_unit),
             r->confidence);
     for (int t = 0; t < e->tip_count; t++) print_tip(r, t, stream);
+    for (int c = 0; c < e->condition_count; c++) print_force(r, c, stream);
     fprintf(stream, "\nseconds  samples %.2f\n", r->runtime.sampling);
 }

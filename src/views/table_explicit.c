@@ -134,10 +134,11 @@ static void print_conditions(const pdmc_results *r, int last, FILE *stream)
                 pdmc_brief(n[4], u[1]), pdmc_brief(n[5], u[2]));
     }
     for (int c = 0; c < p->condition_count && pdmc_is_at_rest(p); c++) {
-        const int at = pdmc_largest_force_at(p, c);
+        double force;
+        const int at = pdmc_results_largest_force(p, c, &force);
         fprintf(stream, "  %-15.15s largest force %s at the displacement %s, load %s\n",
                 pdmc_one_line(text[0], p->conditions[c].name),
-                pdmc_brief(n[0], pdmc_norm_of(pdmc_of_condition(p, p->condition_force, at, c))),
+                pdmc_brief(n[0], force),
                 pdmc_brief(n[1], pdmc_norm_of(pdmc_of_condition(p, p->condition_displacement, at, c))),
                 pdmc_brief(n[2], p->time[at]));
     }

@@ -167,12 +167,81 @@ static void a_stopped_run_is_a_prefix(void **state)
     pdmc_study_clear(&study);
 }
 
+// Two rows of four nodes, with bonds of one spacing alone: c V^2 = 9 E / (pi d^3 t) V^2, pulled apart by 0.04.
+static const char drawn[] =
+    "grid = { dimension = 2; spacing = 1.0; horizon_ratio = 1.0; offset = [0.5, 0.5]; volume = \"whole\"; };\n"
+    "materials = ( { density = 2.0; youngs_modulus = 3.0; critical_stretch = %s; } );\n"
+    "bodies = ( { from = [0, 0]; to = [4, 2]; } );\n"
+    "conditions = ( { name = \"foot\"; prescribed = \"displacement\"; from = [0, 0]; to = [4, 1]; x = 0; y = 0; },\n"
+    "               { name = \"head\"; prescribed = \"displacement\"; from = [0, 1]; to = [4, 2]; x = 0; y = 0.04; } "
+    ");\n"
+    "loading = { steps = 40; }; record = { snapshots = 2; };\n"
+    "random = ( %s ); sampling = { samples = 60; };";
+
+static void run_drawn(const char *stretch, const char *random, int threads, pdmc_results *results)
+{
+    char text[2048];
+    snprintf(text, sizeof text, drawn, stretch, random);
+    run_quasi_static(text, &(pdmc_run_options){.threads = threads}, results);
+}
+
+// Factors of load and modulus are factors of the force; statistics are counted again; the file has them.
+static void samples_are_of_the_largest_force(void **state)
+{
+    (void)state;
+    const double whole = 4 * 9.0 * 3.0 / M_PI * 0.04;
+    double mean = 0.0;
+    pdmc_results r, read;
+    run_drawn("1.0", "{ quantity = \"load\"; variation = 0.1; }, { quantity = \"youngs_modulus\"; variation = 0.2; }",
+              1, &r);
+    const pdmc_ensemble_results *e = &r.ensemble;
+    assert_int_equal(e->sample_count, 60);
+    assert_int_equal(e->condition_count, 2);
+    assert_int_equal(e->failed_count, 0);
+    for (int s = 0; s < 60; s++) {
+        for (int c = 0; c < 2; c++)
+            CHECK_NEAR(e->largest_force[2 * s + c], whole * e->load[s] * e->youngs_modulus[s], 1e-12 * whole);
+        CHECK_NEAR(e->load_of_force[2 * s], 1.0, 0.0);
+        mean += e->largest_force[2 * s + 1] / 60.0;
+    }
+    CHECK_NEAR(e->mean_force[1].value, mean, 1e-13 * whole);
+    assert_true(e->mean_force[1].lower < mean && mean < e->mean_force[1].upper);
+    CHECK_OK(pdmc_results_write(&r, "drawn.h5", true));
+    CHECK_OK(pdmc_results_read("drawn.h5", &read));
+    assert_same("largest_force", e->largest_force, read.ensemble.largest_force, 120 * sizeof(double));
+    assert_same("load_of_force", e->load_of_force, read.ensemble.load_of_force, 120 * sizeof(double));
+    assert_same("mean_force", e->mean_force, read.ensemble.mean_force, 2 * sizeof *e->mean_force);
+    assert_same("force_quantiles", e->force_quantiles, read.ensemble.force_quantiles, 6 * sizeof *e->mean_force);
+    pdmc_results_clear(&read);
+    pdmc_results_clear(&r);
+}
+
+// Of bonds that break one after the other the largest force is before the end. The bits are those of one thread.
+static void samples_break(void **state)
+{
+    (void)state;
+    pdmc_results one, two;
+    const char *random = "{ quantity = \"bond_strength\"; distribution = \"weibull\"; variation = 0.3; }";
+    run_drawn("0.015", random, 1, &one);
+    run_drawn("0.015", random, 2, &two);
+    const pdmc_ensemble_results *e = &one.ensemble;
+    assert_same("largest_force", e->largest_force, two.ensemble.largest_force, 120 * sizeof(double));
+    for (int s = 0; s < 60; s++) assert_true(e->load_of_force[2 * s] > 0.0 && e->load_of_force[2 * s] < 1.0);
+    assert_true(e->force_quantiles[0].value < e->force_quantiles[1].value);
+    pdmc_results_clear(&one);
+    pdmc_results_clear(&two);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_bond_in_closed_form),          cmocka_unit_test(a_plate_is_torn),
-        cmocka_unit_test(results_do_not_depend_on_threads), cmocka_unit_test(what_finds_no_rest_keeps_the_last_state),
+        cmocka_unit_test(one_bond_in_closed_form),
+        cmocka_unit_test(a_plate_is_torn),
+        cmocka_unit_test(results_do_not_depend_on_threads),
+        cmocka_unit_test(what_finds_no_rest_keeps_the_last_state),
         cmocka_unit_test(a_stopped_run_is_a_prefix),
+        cmocka_unit_test(samples_are_of_the_largest_force),
+        cmocka_unit_test(samples_break),
     };
     return cmocka_run_group_tests(tests, enter_folder, leave_folder);
 }

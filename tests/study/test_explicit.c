@@ -345,15 +345,15 @@ static void conditions_and_times_that_cannot_be(void **state)
         {REST, "reliability = { };", "study.cfg:9: reliability: is not part of a study of kind \"explicit\""},
         {REST, "sampling = { order = 3; };", "study.cfg:9: sampling.order: is no setting of a study of kind \"explicit\""},
         {REST, "random = ( { quantity = \"thickness\"; } );",
-         "study.cfg:9: random[0].quantity: is not known of an explicit study, must be \"stiffness\", \"youngs_modulus\", "
+         "study.cfg:9: random[0].quantity: is not known of bodies of bonds, must be \"stiffness\", \"youngs_modulus\", "
          "\"fracture_energy\", \"bond_strength\", \"load\" or \"velocity\""},
         {REST, "random = ( { quantity = \"bond_strength\"; variation = 0.5; } );",
          "study.cfg:9: random[0].distribution: the distribution of strengths: its least is -0.648597, needs to be > 0"},
         {REST,
          "random = ( { quantity = \"fracture_energy\"; correlation_length = 1.0; }, { quantity = \"load\"; } ); "
          "correlations = ( { first = \"load\"; second = \"fracture_energy\"; correlation = 0.5; } );",
-         "study.cfg:9: correlations[0].second: differs from place to place, must have one value a sample in an explicit "
-         "study"},
+         "study.cfg:9: correlations[0].second: differs from place to place, must have one value a sample in a study of bodies of "
+         "bonds"},
     };
     for (size_t i = 0; i < sizeof layers / sizeof layers[0]; i++) {
         char settings[512];
@@ -544,6 +544,8 @@ static void what_moves_is_not_at_rest(void **state)
          "study.cfg:4: conditions[0].prescribed: \"velocity\" is not allowed in a quasi-static study, must be \"displacement\" or "
          "\"force\""},
         {"time = { duration = 1; };", "study.cfg:4: time: is not part of a study of kind \"quasi_static\""},
+        {"random = ( { quantity = \"velocity\"; variation = 0.1; } );",
+         "study.cfg:4: random[0].quantity: is of what moves, a quasi-static study has none"},
         {"spheres = ( { radius = 1; centre = [0, 0]; stiffness = 1; velocity = [1, 0]; } );", "study.cfg:4: spheres[0].velocity: is no setting of a study of kind \"quasi_static\""},
         {"spheres = ( { radius = 1; centre = [0, 0]; stiffness = 1; mass = 1; } );", "study.cfg:4: spheres[0].mass: is no setting of a study of kind \"quasi_static\""},
         {"damping = { absolute = 1; };", "study.cfg:4: damping: is not part of a study of kind \"quasi_static\""},

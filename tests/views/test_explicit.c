@@ -295,6 +295,60 @@ static void csv_and_pictures_of_loads(void **state)
     pdmc_results_clear(&r);
 }
 
+/// Three samples of the loads, the last of which failed.
+static void make_up_forces(pdmc_results *r)
+{
+    pdmc_ensemble_results *e = &r->ensemble;
+    *e = (pdmc_ensemble_results){.sample_count = 3, .failed_count = 1, .condition_count = r->particles.condition_count};
+    const size_t conditions = (size_t)e->condition_count, values = 3 * conditions;
+    double **arrays[] = {&e->load, &e->velocity, &e->youngs_modulus, &e->fracture_energy, &e->fracture};
+    for (size_t k = 0; k < 5; k++) *arrays[k] = pdmc_calloc(3, sizeof(double));
+    e->failure = pdmc_calloc(3, 1);
+    e->failure[2] = PDMC_SAMPLE_DIVERGED;
+    e->largest_force = pdmc_calloc(values, sizeof(double));
+    e->load_of_force = pdmc_calloc(values, sizeof(double));
+    for (size_t i = 0; i < values; i++) e->largest_force[i] = 10.5 + (double)i, e->load_of_force[i] = 0.25;
+    e->mean_force = pdmc_calloc(conditions, sizeof *e->mean_force);
+    e->force_deviation = pdmc_calloc(conditions, sizeof *e->mean_force);
+    e->force_quantiles = pdmc_calloc(PDMC_QUANTILES * conditions, sizeof *e->mean_force);
+    for (size_t c = 0; c < conditions; c++) e->mean_force[c] = (pdmc_estimate){100.0 + (double)c, 90.0, 110.0};
+    for (size_t q = 0; q < PDMC_QUANTILES * conditions; q++)
+        e->force_quantiles[q] = (pdmc_estimate){(double)q, (double)q - 0.5, (double)q + 0.5};
+}
+
+static void largest_forces_are_in_every_view(void **state)
+{
+    (void)state;
+    size_t size = 0;
+    pdmc_results r = made_up_loads();
+    make_up_forces(&r);
+    char *text = captured(pdmc_view_table, &r);
+    expect_line(text, "\n  end2, largest force, kN\n    mean            101 [90, 110]\n");
+    expect_line(text, "    95 % quantile   5 [4.5, 5.5]\n");
+    free(text);
+    text = captured(pdmc_view_json, &r);
+    json_t *all = json_loads(text, 0, NULL);
+    const json_t *condition =
+        json_array_get(json_object_get(json_object_get(all, "ensemble"), "conditions"), 1);
+    CHECK_NEAR(json_number_value(json_array_get(json_object_get(condition, "largest_force"), 1)), 13.5, 0.0);
+    CHECK_NEAR(json_number_value(json_object_get(json_object_get(condition, "mean_largest_force"), "lower")), 90.0, 0.0);
+    json_decref(all);
+    free(text);
+    CHECK_OK(pdmc_view_export(&r, scratch_path("csv")));
+    text = scratch_read(scratch_path("csv/forces.csv"), &size);
+    expect_line(text, "condition,largest_force[kN],load_of_largest_force\n0,0,0,0,0,end1,10.5,0.25\n0,0,0,0,0,end2,11.5,0.25\n");
+    assert_int_equal(lines_of(text), 7);
+    free(text);
+    scratch_empty(scratch_path("csv"));
+    CHECK_OK(pdmc_view_plot(&r, scratch_path("plots")));
+    text = scratch_read(scratch_path("plots/forces_end2.png"), &size);
+    assert_true(size > 1000 && memcmp(text, "\x89PNG", 4) == 0);
+    free(text);
+    scratch_empty(scratch_path("plots"));
+    scratch_empty(scratch);
+    pdmc_results_clear(&r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -309,6 +363,7 @@ int main(void)
         cmocka_unit_test(it_is_not_compared),
         cmocka_unit_test(loads_are_shown),
         cmocka_unit_test(csv_and_pictures_of_loads),
+        cmocka_unit_test(largest_forces_are_in_every_view),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }
