@@ -116,10 +116,34 @@ typedef double pdmc_scalar_function(const void *context, const double x[]);
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_space_load(const pdmc_space *space, pdmc_scalar_function *b,
                                                     const void *context, double load[]);
 
+/// Adds (b, v) of a constant force b in the part of the body with from <= x[axis] <= to, however that cuts the elements. With
+/// b = D / delta in a layer of depth delta along a side it becomes the flux D of the classical problem as delta goes to 0.
+/// @param[in,out] load  [free_count]
+PDMC_API void pdmc_space_add_layer(const pdmc_space *space, int axis, double from, double to, double force,
+                                   double load[]);
+
+/// Adds the integral of a constant flux times v over the side of the body at x[axis] = place, where the mesh ends.
+PDMC_API void pdmc_space_add_flux(const pdmc_space *space, int axis, double place, double flux, double load[]);
+
 /// The root of the mean over the body of (u - f)^2; f = NULL for 0.
 /// @param[in]  u      [count]
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_space_distance(const pdmc_space *space, const double u[],
                                                         pdmc_scalar_function *f, const void *context, double *distance);
+
+/// Finds the element of a point, in a time that does not depend on how many there are.
+typedef struct pdmc_locator pdmc_locator;
+
+/// @param[in]  mesh     must outlive the locator
+/// @param[out] locator  destroy with pdmc_locator_destroy()
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_locator_create(const pdmc_mesh *mesh, pdmc_locator **locator);
+
+/// NULL is allowed; sets the pointer to NULL.
+PDMC_API void pdmc_locator_destroy(pdmc_locator **locator);
+
+/// u at a point of the mesh, on an edge that of the first element; NaN outside.
+/// @param[in] u  [count] values of a space on the locator's mesh
+PDMC_API double pdmc_locator_value(const pdmc_locator *locator, const pdmc_space *space, const double u[],
+                                   const double x[]);
 
 /// A u = load for the free values of u, by CHOLMOD.
 /// @param[in]     load  [free_count]
@@ -142,10 +166,11 @@ typedef struct {
     double stretch; // S > 0, of no meaning where the law is linear
 } pdmc_bond_law;
 
-/// g(s), g'(s), and the integral of g from 0 to s.
-PDMC_API double pdmc_law_force(const pdmc_bond_law *law, double stretch);
-PDMC_API double pdmc_law_slope(const pdmc_bond_law *law, double stretch);
-PDMC_API double pdmc_law_energy(const pdmc_bond_law *law, double stretch);
+/// g(s), g'(s), and the integral of g from 0 to s, to rounding of the largest that the law has.
+typedef struct {
+    double force, slope, energy;
+} pdmc_law_value;
+PDMC_API pdmc_law_value pdmc_law_at(const pdmc_bond_law *law, double stretch);
 
 /// Points xi of half a horizon, with weights for the sum over g(s(xi)) + g(s(-xi)): Gauss points of the radius, with the
 /// kernel's power in the first bin, and equally spaced directions. Exact to rounding where the function is analytic and no wave

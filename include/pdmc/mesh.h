@@ -30,6 +30,11 @@ typedef struct {
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_box(int dimension, const double size[], const int cells[], double layer,
                                                   pdmc_mesh *mesh);
 
+/// The same with a layer at some of the sides only.
+/// @param[in]  has_layer  [2 dimension] at the left, the right, the bottom, and the top
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_open_box(int dimension, const double size[], const int cells[],
+                                                       double layer, const bool has_layer[], pdmc_mesh *mesh);
+
 /// A rectangle in cells between lines along both axes; each cell is two triangles as of a box.
 /// @param[in]  columns, rows  >= 1
 /// @param[in]  x, y           [columns + 1], [rows + 1] of the lines, ascending

@@ -262,20 +262,23 @@ typedef struct {
 /// the last one, n values. The field has no unit. Roots of means of squares over the body.
 typedef struct {
     int dimension;
-    double power, wave_number; // of c(r) ~ r^-power; 1 / length
+    double power, wave_number; // of c(r) ~ r^-power; 1 / length, NaN where the study has loads of its own, and no wave
     int level_count;           // N
     double *spacing, *horizon;              // [N] length; spacing: the longest edge of an element
     double *elements, *unknowns, *entries;  // [N] as numbers of the file; entries: of the form
-    double *error;          // [N] difference to the wave
+    double *error;          // [N] difference to the wave; without one to the level before, NaN at the first
     double *classical;      // [N] difference to classical elements on the same mesh; NaN where the spacing varies
     double *stable_step;    // [N] of central differences, length; NaN where nothing moves, as the next two
     double *stable_step_error; // [N] length, by the residual of the largest eigenvalue
-    double *motion_error;   // [N] difference to the standing wave at the end
+    double *motion_error;   // [N] difference to the standing wave at the end, or to the level before
+    double *drift;          // [N] of the energy over the largest kinetic one; NaN where no bonds with a law move
+    double *iterations, *residual; // [N] of Newton's method, and what it left; NaN where bonds are linear
     double *steps;          // [N]
     double *seconds;        // [N] wall time
     int value_count;        // n
     double *position;       // [n, 2] length
-    double *value, *wave;   // [n] the field, and the wave
+    double *value, *wave;   // [n] the field; the wave, NaN where there is none
+    double *moved;          // [n] at the end of the motion, NaN where nothing moves
 } pdmc_scalar_record;
 /// A rule for integrals over the horizon, with the slopes of the logarithm of its error: NaN where errors are rounding.
 typedef struct {

@@ -1,46 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pdmc/galerkin.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 
-double pdmc_law_force(const pdmc_bond_law *law, double stretch)
+// All by one exponential that does not overflow: tanh, its derivative, and ln cosh.
+static pdmc_law_value saturating(double stretch, double most)
 {
-    const double t = stretch / law->stretch;
-    switch (law->kind) {
-    case PDMC_LAW_LINEAR: break;
-    case PDMC_LAW_SATURATING: return law->stretch * tanh(t);
-    case PDMC_LAW_STIFFENING: return stretch * (1.0 + t * t);
-    case PDMC_LAW_SOFTENING: return stretch * exp(-t * t);
-    }
-    return stretch;
+    const double t = fabs(stretch) / most, e = exp(-2.0 * t), sum = 1.0 + e;
+    return (pdmc_law_value){.force = copysign(-most * expm1(-2.0 * t) / sum, stretch),
+                            .slope = 4.0 * e / (sum * sum),
+                            .energy = most * most * (t + log(0.5 * sum))};
 }
 
-double pdmc_law_slope(const pdmc_bond_law *law, double stretch)
+static pdmc_law_value softening(double stretch, double scale)
 {
-    const double t = stretch / law->stretch;
-    switch (law->kind) {
-    case PDMC_LAW_LINEAR: break;
-    case PDMC_LAW_SATURATING: return 1.0 / (cosh(t) * cosh(t));
-    case PDMC_LAW_STIFFENING: return 1.0 + 3.0 * t * t;
-    case PDMC_LAW_SOFTENING: return (1.0 - 2.0 * t * t) * exp(-t * t);
-    }
-    return 1.0;
+    const double square = gsl_pow_2(stretch / scale), e = exp(-square);
+    return (pdmc_law_value){.force = stretch * e,
+                            .slope = (1.0 - 2.0 * square) * e,
+                            .energy = 0.5 * scale * scale * (1.0 - e)};
 }
 
-// ln cosh t, of which the exponential of a large t would overflow.
-static double log_cosh(double t)
+pdmc_law_value pdmc_law_at(const pdmc_bond_law *law, double stretch)
 {
-    return fabs(t) + log1p(0.5 * expm1(-2.0 * fabs(t)));
-}
-
-double pdmc_law_energy(const pdmc_bond_law *law, double stretch)
-{
-    const double t = stretch / law->stretch, square = law->stretch * law->stretch;
+    const double half = 0.5 * stretch * stretch, square = gsl_pow_2(stretch / law->stretch);
     switch (law->kind) {
     case PDMC_LAW_LINEAR: break;
-    case PDMC_LAW_SATURATING: return square * log_cosh(t);
-    case PDMC_LAW_STIFFENING: return 0.5 * stretch * stretch * (1.0 + 0.5 * t * t);
-    case PDMC_LAW_SOFTENING: return -0.5 * square * expm1(-t * t);
+    case PDMC_LAW_SATURATING: return saturating(stretch, law->stretch);
+    case PDMC_LAW_STIFFENING:
+        return (pdmc_law_value){stretch * (1.0 + square), 1.0 + 3.0 * square, half * (1.0 + 0.5 * square)};
+    case PDMC_LAW_SOFTENING: return softening(stretch, law->stretch);
     }
-    return 0.5 * stretch * stretch;
+    return (pdmc_law_value){stretch, 1.0, half};
 }

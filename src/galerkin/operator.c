@@ -65,7 +65,7 @@ double pdmc_law_operator(const pdmc_area_rule *points, const pdmc_bond_law *law,
         const double ahead = u(context, (double[2]){x[0] + xi[0], x[1] + xi[1]});
         const double behind = u(context, (double[2]){x[0] - xi[0], x[1] - xi[1]});
         sum += points->weight[p] *
-               (pdmc_law_force(law, (ahead - here) / r) + pdmc_law_force(law, (behind - here) / r));
+               (pdmc_law_at(law, (ahead - here) / r).force + pdmc_law_at(law, (behind - here) / r).force);
     }
     return sum;
 }

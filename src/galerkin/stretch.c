@@ -42,11 +42,12 @@ static bond_sum add_bonds(const pdmc_pair_rule *rule, const pdmc_bond_law *law, 
         if (r == 0.0) continue;
         const double c = weight[p] * pdmc_scalar_kernel_at(rule->kernel, r);
         const double stretch = (d->jump + d->slope[0] * xi[0] + d->slope[1] * xi[1]) / r;
-        const double force = c * r * pdmc_law_force(law, stretch);
-        pdmc_moments_add(xi, c * pdmc_law_slope(law, stretch), &sum.stiffness);
+        const pdmc_law_value g = pdmc_law_at(law, stretch);
+        const double force = c * r * g.force;
+        pdmc_moments_add(xi, c * g.slope, &sum.stiffness);
         sum.force += force;
         for (int k = 0; k < 2; k++) sum.force_along[k] += force * xi[k];
-        sum.energy += c * r * r * pdmc_law_energy(law, stretch);
+        sum.energy += c * r * r * g.energy;
     }
     return sum;
 }

@@ -9,30 +9,28 @@
 
 // The nodes along one axis: those of the layer, of the box, and of the layer again.
 typedef struct {
-    int cells, layer_cells; // in all, and in the layer at either end
-    double *x;              // [cells + 1]
+    int cells, layer_cells[2]; // in all, and in the layer at either end
+    double *x;                 // [cells + 1]
 } axis;
 
-static pdmc_status axis_create(double size, int cells, double layer, axis *out)
+static pdmc_status axis_create(double size, int cells, double layer, const bool has_layer[2], axis *out)
 {
     pdmc_status status = PDMC_OK;
     const double spacing = size / cells;
     const int outer = (int)fmax(1.0, ceil(layer / spacing * (1.0 - 1e-9)));
-    out->cells = cells + 2 * outer;
-    out->layer_cells = outer;
+    const int below = has_layer[0] ? outer : 0, above = has_layer[1] ? outer : 0;
+    *out = (axis){.cells = below + cells + above, .layer_cells = {below, above}};
     PDMC_NEW(out->x, out->cells + 1);
-    for (int i = 0; i <= cells; i++) out->x[outer + i] = size * ((double)i / cells - 0.5);
-    for (int i = 1; i <= outer; i++) {
-        out->x[outer - i] = -0.5 * size - layer * i / outer;
-        out->x[outer + cells + i] = 0.5 * size + layer * i / outer;
-    }
+    for (int i = 0; i <= cells; i++) out->x[below + i] = size * ((double)i / cells - 0.5);
+    for (int i = 1; i <= below; i++) out->x[below - i] = -0.5 * size - layer * i / outer;
+    for (int i = 1; i <= above; i++) out->x[below + cells + i] = 0.5 * size + layer * i / outer;
 done:
     return status;
 }
 
 static bool is_outside(const axis *a, int cell)
 {
-    return cell < a->layer_cells || cell >= a->cells - a->layer_cells;
+    return cell < a->layer_cells[0] || cell >= a->cells - a->layer_cells[1];
 }
 
 static void fill_interval(const axis *a, pdmc_mesh *mesh)
@@ -55,6 +53,13 @@ static void mark_layer(const axis a[2], pdmc_mesh *mesh)
 
 pdmc_status pdmc_mesh_box(int dimension, const double size[], const int cells[], double layer, pdmc_mesh *mesh)
 {
+    const bool all[4] = {true, true, true, true};
+    return pdmc_mesh_open_box(dimension, size, cells, layer, all, mesh);
+}
+
+pdmc_status pdmc_mesh_open_box(int dimension, const double size[], const int cells[], double layer,
+                               const bool has_layer[], pdmc_mesh *mesh)
+{
     pdmc_status status = PDMC_OK;
     axis a[2] = {{0}, {0}};
     pdmc_mesh made = {0};
@@ -65,7 +70,7 @@ pdmc_status pdmc_mesh_box(int dimension, const double size[], const int cells[],
         PDMC_REQUIRE(size[d] > 0.0 && isfinite(size[d]), "a size of %g is not > 0", size[d]);
         PDMC_REQUIRE(cells[d] >= 1, "%d cells are not 1 or more", cells[d]);
     }
-    for (int d = 0; d < dimension; d++) PDMC_TRY(axis_create(size[d], cells[d], layer, &a[d]));
+    for (int d = 0; d < dimension; d++) PDMC_TRY(axis_create(size[d], cells[d], layer, &has_layer[2 * d], &a[d]));
     if (dimension == 1) PDMC_TRY(pdmc_mesh_allocate(1, a[0].cells + 1.0, a[0].cells, &made));
     else PDMC_TRY(pdmc_mesh_rectangle(a[0].cells, a[0].x, a[1].cells, a[1].x, &made));
     if (dimension == 1) fill_interval(a, &made);

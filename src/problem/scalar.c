@@ -12,7 +12,17 @@ void pdmc_scalar_clear(pdmc_scalar *problem)
     pdmc_free(problem->holes);
     pdmc_free(problem->file);
     pdmc_mesh_clear(&problem->first);
+    pdmc_given_clear(&problem->source);
+    pdmc_given_clear(&problem->prescribed);
+    pdmc_free(problem->open);
     *problem = (pdmc_scalar){0};
+}
+
+bool pdmc_scalar_holds(const pdmc_scalar *problem, int side)
+{
+    for (int i = 0; i < problem->open_count; i++)
+        if (problem->open[i].side == side) return false;
+    return true;
 }
 
 pdmc_mesh_plate pdmc_scalar_plate(const pdmc_scalar *problem)

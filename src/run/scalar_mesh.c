@@ -20,18 +20,20 @@ static pdmc_status make(const pdmc_scalar *study, int level, const pdmc_mesh *be
 {
     const pdmc_scalar_level at = pdmc_scalar_level_of(study, level);
     const double size[2] = {study->width, study->height};
-    if (study->mesh == PDMC_ELEMENTS_CELLS) return pdmc_mesh_box(study->dimension, size, at.cells, at.horizon, mesh);
+    bool has_layer[4];
+    for (int side = 0; side < 4; side++) has_layer[side] = pdmc_scalar_holds(study, side);
+    if (study->mesh == PDMC_ELEMENTS_CELLS)
+        return pdmc_mesh_open_box(study->dimension, size, at.cells, at.horizon, has_layer, mesh);
     if (level > 0) return (study->vary == PDMC_VARY_SPACING ? pdmc_mesh_refine : pdmc_mesh_copy)(before, mesh);
     return study->mesh == PDMC_ELEMENTS_FILE ? pdmc_mesh_copy(&study->first, mesh) : draw(study, mesh);
 }
 
-pdmc_status pdmc_run_next_mesh(const pdmc_scalar *study, int level, pdmc_mesh *mesh)
+pdmc_status pdmc_run_mesh(const pdmc_scalar *study, int level, const pdmc_mesh *before, pdmc_mesh *mesh)
 {
-    pdmc_mesh next = {0};
     const double from[2] = {study->rough_from, -INFINITY}, to[2] = {study->rough_to, INFINITY};
-    const pdmc_status status = make(study, level, mesh, &next);
-    pdmc_mesh_clear(mesh);
-    *mesh = next;
+    *mesh = (pdmc_mesh){0};
+    const pdmc_status status = make(study, level, before, mesh);
     if (status == PDMC_OK) pdmc_mesh_mark_rough(mesh, from, to);
+    else pdmc_mesh_clear(mesh);
     return status;
 }

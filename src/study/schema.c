@@ -119,6 +119,19 @@
 #define CELLS ONLY(PDMC_ELEMENTS_CELLS)
 #define TRIANGLES ONLY(PDMC_ELEMENTS_TRIANGLES)
 #define MESH_FILE ONLY(PDMC_ELEMENTS_FILE)
+#define LAWS CHOICES("linear", "saturating", "stiffening", "softening")
+#define BENT (ONLY(PDMC_LAW_SATURATING) | ONLY(PDMC_LAW_STIFFENING) | ONLY(PDMC_LAW_SOFTENING))
+#define GIVENS CHOICES("constant", "polynomial", "table")
+#define GIVEN(section, field)                                                                                          \
+    {section, "kind", KIND_CHOICE, .offset = IN_SCALAR(field.kind), .choices = GIVENS, .fallback = "constant",         \
+     .doc = "of function; a table is linear or bilinear between its points"},                                          \
+    {section, "value", KIND_REAL, .range = ANY, .offset = IN_SCALAR(field.value),                                      \
+     WHERE("kind", ONLY(PDMC_GIVEN_CONSTANT)), .fallback = "0.0", .doc = "of a constant"},                             \
+    {section, "coefficients", KIND_REALS, .range = ANY, .offset = IN_SCALAR(field.coefficients),                       \
+     .flag = IN_SCALAR(field.coefficient_count), WHERE("kind", ONLY(PDMC_GIVEN_POLYNOMIAL)),                           \
+     .doc = "of 1, x, x^2, ... in one dimension, of 1, x, y, x^2, x y, y^2, x^3, ... in two"},                         \
+    {section, "file", KIND_TEXT, .offset = IN_SCALAR(field.file), WHERE("kind", ONLY(PDMC_GIVEN_TABLE)),               \
+     .doc = "of lines \"x value\", or \"x y value\" of a grid; beside the study file unless its path is absolute"}
 #define OUTER_RULES CHOICES("exact", "gauss", "edges")
 #define INNER_RULES CHOICES("exact", "polynomial", "careless")
 #define SOLID_RULES CHOICES("cubic_cell", "gauss")
@@ -570,6 +583,11 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_KERNEL, "weights", KIND_REALS, .range = NOT_NEGATIVE, .offset = IN_SCALAR(weights),
      .flag = IN_SCALAR(weight_count), .fallback = "none",
      .doc = "[w1, w2, ...] on r^-p in equal bins of [0, horizon]; 1 throughout without any"},
+    {SECTION_KERNEL, "law", KIND_CHOICE, .offset = IN_SCALAR(law.kind), .choices = LAWS, .fallback = "linear",
+     .doc = "g(s) of the stretch s = (u' - u) / r of a bond, whose force is c r g: s, S tanh(s / S), s (1 + (s / S)^2), or "
+            "s exp(-(s / S)^2), a bond that breaks smoothly"},
+    {SECTION_KERNEL, "stretch", KIND_REAL, .range = POSITIVE, .offset = IN_SCALAR(law.stretch), WHERE("law", BENT),
+     .doc = "S of the law"},
 
     {SECTION_HOLES, "centre", KIND_PAIR, UNIT_LENGTH, ANY, offsetof(pdmc_hole, centre), .doc = "[x, y]"},
     {SECTION_HOLES, "radius", KIND_REAL, UNIT_LENGTH, POSITIVE, offsetof(pdmc_hole, radius),
@@ -604,15 +622,24 @@ const pdmc_study_setting pdmc_study_settings[] = {
     {SECTION_ELEMENTS, "rough_to", KIND_REAL, UNIT_LENGTH, ANY, IN_SCALAR(rough_to), WHERE("space", MIXED),
      .doc = "largest x of the middles of rough elements"},
 
-    {SECTION_WAVE, "length", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_SCALAR(wave_length), .doc = "2 pi / |k|"},
+    {SECTION_WAVE, "length", KIND_OPTIONAL, UNIT_LENGTH, POSITIVE, IN_SCALAR(wave_length), .flag = IN_SCALAR(has_wave),
+     .fallback = "none", .doc = "2 pi / |k|; without it the study has a source, prescribed values and open sides of its own"},
     {SECTION_WAVE, "angle", KIND_REAL, .range = ANY, .offset = IN_SCALAR(angle), .fallback = "0.0",
      .doc = "of k from the x axis, in degrees; 0 in one dimension"},
     {SECTION_WAVE, "phase", KIND_REAL, .range = ANY, .offset = IN_SCALAR(phase), .fallback = "30.0",
      .doc = "in degrees; other than 0 and 90 there is no symmetry that hides errors"},
 
+    GIVEN(SECTION_SOURCE, source),
+    GIVEN(SECTION_PRESCRIBED, prescribed),
+    {SECTION_OPEN, "side", KIND_CHOICE, .offset = offsetof(pdmc_open_side, side), .choices = SIDES,
+     .doc = "where the body ends and nothing is prescribed"},
+    {SECTION_OPEN, "flux", KIND_REAL, UNIT_PER_LENGTH, ANY, offsetof(pdmc_open_side, flux), .fallback = "0.0",
+     .doc = "du/dn of the classical problem: a source flux / horizon in a layer of the body as deep as the horizon"},
+
     {SECTION_CONVERGENCE, "vary", KIND_CHOICE, .offset = IN_SCALAR(vary), .choices = CHOICES("spacing", "horizon"),
      .fallback = "spacing",
-     .doc = "the spacing at a fixed horizon, to the nonlocal wave; or the horizon on a fixed mesh, to classical elements"},
+     .doc = "the spacing at a fixed horizon, to the nonlocal wave or else to the level before; or the horizon on a fixed mesh, "
+            "to classical elements"},
     {SECTION_CONVERGENCE, "levels", KIND_INT, .range = FROM_TO(2, 12), .offset = IN_SCALAR(levels), .fallback = "4",
      .doc = "each with half of the one before"},
 

@@ -91,7 +91,7 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
                         .check = pdmc_study_check_record},
     [SECTION_DOMAIN] = {.name = "domain", OF(PDMC_SCALAR),
                         .doc = "of a scalar study: an interval or a rectangle, its middle at the origin, or the body of a "
-                               "mesh; the field is prescribed in a layer round it as wide as the horizon"},
+                               "mesh; the field is prescribed in a layer round it as wide as the horizon, but for open sides"},
     [SECTION_KERNEL] = {.name = "kernel", OF(PDMC_SCALAR), .check = pdmc_study_check_kernel,
                         .doc = "of a scalar study: c(r) of L u = int c (u' - u), scaled so that long waves see the "
                                "Laplacian"},
@@ -101,11 +101,20 @@ const pdmc_study_section pdmc_study_sections[SECTIONS] = {
     [SECTION_ELEMENTS] = {.name = "elements", OF(PDMC_SCALAR), .check = pdmc_study_check_elements,
                           .doc = "of a scalar study: linear finite elements, intervals or triangles"},
     [SECTION_WAVE] = {.name = "wave", OF(PDMC_SCALAR), .check = pdmc_study_check_wave,
-                      .doc = "of a scalar study: the solution sin(k.x + phase), whose source and values in the layer are given"},
+                      .doc = "of a scalar study: the solution sin(k.x + phase), whose source and values in the layer are given; or none"},
+    [SECTION_SOURCE] = {.name = "source", OF(PDMC_SCALAR), .check = pdmc_study_check_source,
+                        .doc = "of a scalar study without a wave: b in the body"},
+    [SECTION_PRESCRIBED] = {.name = "prescribed", OF(PDMC_SCALAR), .check = pdmc_study_check_prescribed,
+                            .doc = "of a scalar study without a wave: u in the layer"},
+    [SECTION_OPEN] = {.name = "open_sides", OF(PDMC_SCALAR), .check = pdmc_study_check_open,
+                      .doc = "of a scalar study without a wave: list of sides that have no layer",
+                      .size = sizeof(pdmc_open_side), .items = offsetof(pdmc_scalar, open),
+                      .count = offsetof(pdmc_scalar, open_count)},
     [SECTION_CONVERGENCE] = {.name = "convergence", OF(PDMC_SCALAR), .check = pdmc_study_check_convergence,
                              .doc = "of a scalar study: what is halved from level to level"},
     [SECTION_MARCH] = {.name = "motion", OF(PDMC_SCALAR), .check = pdmc_study_check_march,
-                       .doc = "of a scalar study: the wave standing and swinging, by central differences"},
+                       .doc = "of a scalar study, by central differences: the wave standing and swinging; or from rest at 0 under a "
+                            "sudden source"},
     [SECTION_SOLID] = {.name = "solid", OF(PDMC_ELASTIC), .check = pdmc_study_check_solid,
                        .doc = "of an elastic study: a box of nodes on a cubic grid, its middle at the origin; Poisson's ratio "
                               "is 1/4"},

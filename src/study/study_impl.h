@@ -87,6 +87,9 @@ typedef enum {
     SECTION_HOLES,
     SECTION_ELEMENTS,
     SECTION_WAVE,
+    SECTION_SOURCE,
+    SECTION_PRESCRIBED,
+    SECTION_OPEN,
     SECTION_CONVERGENCE,
     SECTION_MARCH,
     SECTION_SOLID,
@@ -364,6 +367,9 @@ PDMC_NODISCARD pdmc_status pdmc_study_check_elements(const pdmc_study_reader *re
 /// Reads the mesh of a file. (check_mesh.c)
 PDMC_NODISCARD pdmc_status pdmc_study_check_mesh(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_wave(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_source(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_prescribed(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_open(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_convergence(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_march(const pdmc_study_reader *reader);
 

@@ -11,7 +11,7 @@ pdmc_status pdmc_csv_levels(const pdmc_results *results, FILE *stream)
     fputs(",elements,unknowns,entries,error,error_rate,classical,classical_rate", stream);
     pdmc_csv_column(stream, "stable_step", results->length_unit);
     pdmc_csv_column(stream, "stable_step_error", results->length_unit);
-    fputs(",steps,motion_error,motion_error_rate", stream);
+    fputs(",steps,motion_error,motion_error_rate,drift,iterations,residual", stream);
     pdmc_csv_column(stream, "seconds", "s");
     fputc('\n', stream);
     for (int i = 0; i < s->level_count; i++) {
@@ -30,6 +30,9 @@ pdmc_status pdmc_csv_levels(const pdmc_results *results, FILE *stream)
             s->steps[i],
             s->motion_error[i],
             pdmc_rate_of(s->motion_error, i),
+            s->drift[i],
+            s->iterations[i],
+            s->residual[i],
             s->seconds[i],
         };
         fprintf(stream, "%d", i + 1);
@@ -45,12 +48,13 @@ pdmc_status pdmc_csv_values(const pdmc_results *results, FILE *stream)
     fputs("value", stream);
     pdmc_csv_column(stream, "x", results->length_unit);
     pdmc_csv_column(stream, "y", results->length_unit);
-    fputs(",field,wave\n", stream);
+    fputs(",field,wave,moved\n", stream);
     for (int i = 0; i < s->value_count; i++) {
         fprintf(stream, "%d", i);
         pdmc_csv_numbers(stream, 2, &s->position[2 * i]);
         pdmc_csv_number(stream, s->value[i]);
         pdmc_csv_number(stream, s->wave[i]);
+        pdmc_csv_number(stream, s->moved[i]);
         fputc('\n', stream);
     }
     return PDMC_OK;

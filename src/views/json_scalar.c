@@ -21,6 +21,8 @@ json_t *pdmc_json_scalar(const pdmc_scalar_record *s)
         {"classical", s->classical}, {"stable_step", s->stable_step},
         {"steps", s->steps},         {"stable_step_error", s->stable_step_error},
         {"seconds", s->seconds},     {"motion_error", s->motion_error},
+        {"drift", s->drift},         {"iterations", s->iterations},
+        {"residual", s->residual},
     };
     json_t *object = json_object(), *levels = json_object();
     for (size_t i = 0; i < sizeof columns / sizeof columns[0]; i++)

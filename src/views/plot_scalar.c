@@ -15,6 +15,7 @@ void pdmc_draw_scalar_convergence(const pdmc_results *r, const pdmc_figure *figu
     FILE *script = figure->script;
     const pdmc_scalar_record *s = &r->scalar;
     const bool by_horizon = s->level_count > 0 && !isnan(s->classical[0]);
+    const bool has_wave = !isnan(s->wave_number);
     const double *over = by_horizon ? s->horizon : s->spacing, *last = by_horizon ? s->classical : s->error;
     const int n = s->level_count;
     fputs("set datafile missing 'nan'\n$levels << EOD\n", script);
@@ -23,14 +24,16 @@ void pdmc_draw_scalar_convergence(const pdmc_results *r, const pdmc_figure *figu
                 last[n - 1] * pow(over[i] / over[n - 1], by_horizon ? 1.0 : 2.0));
     fputs("EOD\nset logscale xy\nset format y '10^{%L}'\nset key bottom right\n", script);
     pdmc_figure_label(figure, "xlabel", by_horizon ? "Horizon (" : "Spacing (", r->length_unit, ")");
-    fputs("set ylabel 'Root of the mean square error'\n"
-          "plot $levels using 1:2 with linespoints linecolor " PDMC_BLUE " title 'to the wave'",
-          script);
+    fprintf(script,
+            "set ylabel 'Root of the mean square error'\n"
+            "plot $levels using 1:2 with linespoints linecolor " PDMC_BLUE " title 'to the %s'",
+            has_wave ? "wave" : "coarser level");
     if (by_horizon)
         fputs(", $levels using 1:3 with linespoints linecolor " PDMC_VERMILION " title 'to classical elements'",
               script);
     if (n > 0 && !isnan(s->motion_error[0]))
-        fputs(", $levels using 1:4 with linespoints linecolor " PDMC_GREEN " title 'to the standing wave'", script);
+        fprintf(script, ", $levels using 1:4 with linespoints linecolor " PDMC_GREEN " title '%s'",
+                has_wave ? "to the standing wave" : "of motion, to the coarser level");
     fprintf(script, ", $levels using 1:5 with lines linecolor " PDMC_GREY " dashtype 2 title '%s order'\n",
             by_horizon ? "first" : "second");
 }
@@ -52,8 +55,8 @@ void pdmc_draw_scalar_field(const pdmc_results *r, const pdmc_figure *figure)
               script);
         return;
     }
-    fputs("set ylabel 'Field'\n"
-          "plot $values using 1:4 smooth unique with lines linecolor " PDMC_GREY " title 'wave', "
-          "$values using 1:3 with points pointtype 6 linecolor " PDMC_BLUE " title 'elements'\n",
-          script);
+    fputs("set ylabel 'Field'\nplot ", script);
+    if (!isnan(s->wave_number))
+        fputs("$values using 1:4 smooth unique with lines linecolor " PDMC_GREY " title 'wave', ", script);
+    fputs("$values using 1:3 with points pointtype 6 linecolor " PDMC_BLUE " title 'elements'\n", script);
 }

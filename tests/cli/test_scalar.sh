@@ -40,3 +40,29 @@ values.csv" ] || fail "files: $(ls csv)"
 expect 65 '"$pdmc" compare wave.h5 wave.h5' 'pdmc: wave.h5 is of a scalar study, which is not compared yet'
 run '"$pdmc" -f -s 3 wave.cfg'
 expect_line err 'pdmc: warning: a scalar study draws no samples, their number and seed change nothing'
+
+# A source and a flux of the study's own, on bonds with a law.
+cat >own.cfg <<'END'
+kind = "scalar"; title = "own";
+domain = { dimension = 1; width = 1.0; };
+kernel = { horizon = 0.13; law = "saturating"; stretch = 1.2; };
+elements = { cells = 10; inner = "polynomial"; };
+source = { kind = "table"; file = "source.txt"; };
+open_sides = ( { side = "left"; flux = 0.1; } );
+convergence = { levels = 2; };
+END
+printf '# x b\n-0.5 0\n0 1\n0.5 0\n' >source.txt
+expect 0 '"$pdmc" -q -t 1 own.cfg'
+expect 0 '"$pdmc" show own.h5'
+grep -q '^  scalar field in one dimension, kernel r^-1, under the study.s own source$' out || fail "own: $(cat out)"
+grep -q 'iterations  residual left' out || fail "Newton: $(cat out)"
+expect 0 '"$pdmc" export own.h5 own'
+[ "$(head -n 1 own/values.csv)" = 'value,x[m],y[m],field,wave,moved' ] || fail "values: $(head -n 1 own/values.csv)"
+mv source.txt elsewhere.txt
+expect 66 '"$pdmc" check -q own.cfg' 'pdmc: source.txt: No such file or directory'
+# More than bonds can bear.
+mv elsewhere.txt source.txt
+sed 's/stretch = 1.2/stretch = 0.1/' own.cfg >much.cfg
+run '"$pdmc" -q much.cfg'
+[ "$code" -ne 0 ] || fail 'bonds that bear too much'
+grep -q '^pdmc: .*iteration' err || fail "much: $(cat err)"

@@ -16,12 +16,12 @@ enum { LAWS = sizeof laws / sizeof laws[0] };
 
 static double force_at(double s, void *law)
 {
-    return pdmc_law_force(law, s);
+    return pdmc_law_at(law, s).force;
 }
 
 static double energy_at(double s, void *law)
 {
-    return pdmc_law_energy(law, s);
+    return pdmc_law_at(law, s).energy;
 }
 
 static void slopes_and_energies_belong_to_the_force(void **state)
@@ -33,15 +33,15 @@ static void slopes_and_energies_belong_to_the_force(void **state)
             gsl_function force = {force_at, &law}, energy = {energy_at, &law};
             double got, error;
             gsl_deriv_central(&force, s, 1e-2, &got, &error);
-            CHECK_NEAR(pdmc_law_slope(&law, s), got, 2.0 * error + 1e-10);
+            CHECK_NEAR(pdmc_law_at(&law, s).slope, got, 2.0 * error + 1e-10);
             gsl_deriv_central(&energy, s, 1e-2, &got, &error);
-            CHECK_NEAR(pdmc_law_force(&law, s), got, 2.0 * error + 1e-10);
-            CHECK_NEAR(pdmc_law_force(&law, -s), -pdmc_law_force(&law, s), 0.0);
+            CHECK_NEAR(pdmc_law_at(&law, s).force, got, 2.0 * error + 1e-10);
+            CHECK_NEAR(pdmc_law_at(&law, -s).force, -pdmc_law_at(&law, s).force, 0.0);
         }
     const pdmc_bond_law tiny = {PDMC_LAW_SATURATING, 1e-3};
-    CHECK_NEAR(pdmc_law_force(&tiny, 5.0), 1e-3, 0.0);
-    CHECK_NEAR(pdmc_law_energy(&tiny, 5.0), 1e-3 * (5.0 - 1e-3 * log(2.0)), 1e-15);
-    CHECK_NEAR(pdmc_law_slope(&laws[3], 12.0 / sqrt(2.0)), 0.0, 1e-15);
+    CHECK_NEAR(pdmc_law_at(&tiny, 5.0).force, 1e-3, 0.0);
+    CHECK_NEAR(pdmc_law_at(&tiny, 5.0).energy, 1e-3 * (5.0 - 1e-3 * log(2.0)), 1e-15);
+    CHECK_NEAR(pdmc_law_at(&laws[3], 12.0 / sqrt(2.0)).slope, 0.0, 1e-15);
 }
 
 // ---- the operator ----
@@ -79,7 +79,7 @@ static double bond_ahead(double r, void *context)
     const double there[2] = {l->x[0] + r * l->direction[0], l->x[1] + r * l->direction[1]};
     const double area = l->kernel->dimension == 1 ? 1.0 : r;
     return area * pdmc_scalar_kernel_at(l->kernel, r) * r *
-           pdmc_law_force(l->law, (wave_at(&l->w, there) - wave_at(&l->w, l->x)) / r);
+           pdmc_law_at(l->law, (wave_at(&l->w, there) - wave_at(&l->w, l->x)) / r).force;
 }
 
 static double direction_at(double angle, void *context)

@@ -43,11 +43,15 @@ static pdmc_results made_up_scalar(int dimension, bool varies_horizon)
     s->stable_step_error = row(varies_horizon ? NAN : 1e-9, 1.0);
     s->motion_error = row(varies_horizon ? NAN : 0.08, 0.25);
     s->steps = row(varies_horizon ? NAN : 10, 2.0);
+    s->drift = row(NAN, 1.0);
+    s->iterations = row(NAN, 1.0);
+    s->residual = row(NAN, 1.0);
     s->seconds = row(0.25, 2.0);
     s->value_count = VALUES;
     s->position = pdmc_calloc(2 * VALUES, sizeof *s->position);
     s->value = pdmc_calloc(VALUES, sizeof *s->value);
     s->wave = pdmc_calloc(VALUES, sizeof *s->wave);
+    s->moved = pdmc_calloc(VALUES, sizeof *s->moved);
     for (int i = 0; i < VALUES; i++) {
         s->position[2 * i] = 0.5 * i;
         s->position[2 * i + 1] = dimension == 2 ? 0.25 * i : 0.0;
@@ -75,6 +79,31 @@ static void the_table_has_levels_and_rates(void **state)
     assert_null(strstr(text, "motion"));
     for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n")) assert_true(strlen(line) <= 100);
     free(text);
+    pdmc_results_clear(&r);
+}
+
+// Bonds with a law under a source of the study's own: no wave, iterations, and the drift of the energy.
+static void a_study_without_a_wave_says_so(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_scalar(1, false);
+    r.scalar.wave_number = NAN;
+    r.scalar.error[0] = r.scalar.motion_error[0] = NAN;
+    for (int i = 0; i < LEVELS; i++) {
+        r.scalar.drift[i] = 2e-4;
+        r.scalar.iterations[i] = 6;
+        r.scalar.residual[i] = 3e-15;
+    }
+    char *text = captured(pdmc_view_table, &r);
+    expect_line(text, "  scalar field in one dimension, kernel r^-1, under the study's own source\n");
+    expect_line(text, "     spacing    horizon  elements  unknowns  to coarser   rate  seconds\n");
+    expect_line(text, "         0.2        0.1        24        20           -      -     0.25\n");
+    expect_line(text, "         0.1        0.1        48        40        0.01      -     0.50\n");
+    expect_line(text, "        0.05          6        3.0e-15\n");
+    expect_line(text, "        0.05        0.125    1.0e-09        40       0.005   2.00          2.0e-04\n");
+    assert_null(strstr(text, "the wave"));
+    free(text);
+    check_drawn(&r, 2, (const char *const[]){"convergence", "field"});
     pdmc_results_clear(&r);
 }
 
@@ -107,8 +136,8 @@ static void the_csv_has_levels_and_values(void **state)
     assert_true(levels && values);
     expect_line(levels, "level,spacing[mm],horizon[mm],elements,unknowns,entries,error,error_rate,");
     expect_line(levels, "\n2,0.10000000000000001,0.10000000000000001,48,40,400,0.01,2,nan,nan,0.125,");
-    expect_line(values, "value,x[mm],y[mm],field,wave\n");
-    expect_line(values, "\n4,2,1,0.5,0\n");
+    expect_line(values, "value,x[mm],y[mm],field,wave,moved\n");
+    expect_line(values, "\n4,2,1,0.5,0,0\n");
     free(levels);
     free(values);
     assert_int_equal(scratch_empty(scratch_path("csv")), 2);
@@ -142,6 +171,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_table_has_levels_and_rates),
+        cmocka_unit_test(a_study_without_a_wave_says_so),
         cmocka_unit_test(the_json_has_all_levels),
         cmocka_unit_test(the_csv_has_levels_and_values),
         cmocka_unit_test(every_picture_is_drawn),
