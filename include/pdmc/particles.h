@@ -275,6 +275,10 @@ PDMC_API void pdmc_particles_fragments(const pdmc_particles *particles, const in
 /// the mean of the nodes' displacements. @param[out] force displacement  [condition_count, 3]
 PDMC_API void pdmc_particles_conditions(const pdmc_particles *particles, double force[], double displacement[]);
 
+/// The bonds of interfaces. @param[out] bonds  [interface_count] at the start, without cracks @param[out] broken  [interface_count] as
+/// it is now, those cut by cracks included
+PDMC_API void pdmc_particles_interfaces(const pdmc_particles *particles, uint64_t bonds[], uint64_t broken[]);
+
 /// The rigid spheres as they are now; their velocities at rest are zero. @param[out] spheres  [sphere_count]
 PDMC_API void pdmc_particles_spheres(const pdmc_particles *particles, pdmc_rigid_sphere spheres[]);
 

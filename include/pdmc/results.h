@@ -168,7 +168,12 @@ typedef struct {
     char name[PDMC_LONG_NAME_SIZE];
 } pdmc_condition_record;
 
-/// The motion of an explicit study, or the states of rest of a quasi-static one: N records, T tips, S spheres, C conditions, n nodes, K snapshots. Without errors of the
+typedef struct {
+    char name[PDMC_LONG_NAME_SIZE];
+    double bonds; // at the start, without cracks
+} pdmc_interface_record;
+
+/// The motion of an explicit study, or the states of rest of a quasi-static one: N records, T tips, S spheres, C conditions, I interfaces, n nodes, K snapshots. Without errors of the
 /// second order in the step, kinetic + elastic + fracture + contact + dissipated = first + work.
 typedef struct {
     int dimension;
@@ -201,6 +206,10 @@ typedef struct {
     pdmc_condition_record *conditions; // [C]
     double *condition_force;          // [N, C, 3] on all of its nodes
     double *condition_displacement;   // [N, C, 3] mean of its nodes
+
+    int interface_count;               // I
+    pdmc_interface_record *interfaces; // [I]
+    double *interface_broken;          // [N, I] bonds, those cut by cracks included
 
     int body_count;
     pdmc_body_record *bodies; // [body_count]

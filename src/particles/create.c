@@ -164,6 +164,18 @@ static pdmc_status check_nodes(const pdmc_particles_options *o, const pdmc_nodes
     return PDMC_OK;
 }
 
+static pdmc_status count_interfaces(const pdmc_particles_options *o, pdmc_particles *p)
+{
+    pdmc_status status = PDMC_OK;
+    p->interface_count = o->interface_count;
+    PDMC_NEW(p->interface_bonds, o->interface_count);
+    pdmc_joints_count(&p->variation.joints, &p->nodes, o->interface_count, p->interface_bonds);
+    for (int i = 0; i < o->interface_count; i++)
+        if (p->interface_bonds[i] == 0) PDMC_FAIL(PDMC_ERR_ARG, "interfaces[%d]: no bond is between the two", i);
+done:
+    return status;
+}
+
 static pdmc_status create(const pdmc_particles_options *o, pdmc_particles *p)
 {
     pdmc_status status = PDMC_OK;
@@ -174,7 +186,7 @@ static pdmc_status create(const pdmc_particles_options *o, pdmc_particles *p)
     PDMC_TRY(has_scattered(o) ? pdmc_scattered_create(o, &p->variation.joints, &p->nodes)
                               : pdmc_lattice_create(o, &p->variation.joints, &p->nodes));
     PDMC_TRY(check_nodes(o, &p->nodes));
-    PDMC_TRY(pdmc_joints_check_used(&p->variation.joints, &p->nodes, o->interface_count));
+    PDMC_TRY(count_interfaces(o, p));
     PDMC_TRY(pdmc_variation_create(o, &p->nodes, p->laws, &p->variation));
     PDMC_TRY(choose_step(o, p));
     PDMC_TRY(make_room(o, p));
@@ -232,7 +244,7 @@ void pdmc_particles_destroy(pdmc_particles *p)
     }
     void *const others[] = {p->density,  p->laws,         p->held,           p->strength, p->next_strength,
                             p->fracture, p->elastic,      p->contact_energy, p->share,    p->layers,
-                            p->spheres,  p->sphere_force, p->sphere_energy};
+                            p->spheres,  p->sphere_force, p->sphere_energy,  p->interface_bonds};
     for (size_t k = 0; k < sizeof others / sizeof *others; k++) pdmc_free(others[k]);
     pdmc_free(p);
 }

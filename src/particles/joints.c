@@ -154,27 +154,23 @@ void pdmc_joints_clear(pdmc_joints *j)
     *j = (pdmc_joints){0};
 }
 
-/// The interfaces of a block's bonds to one of its list. @param[out] found  [interfaces]
-static void find_used(const pdmc_joints *j, const pdmc_nodes *g, const pdmc_block *block, int listed, bool found[])
+/// Adds a block's bonds to one of its list to those of their interfaces, in this direction.
+static void count_neighbour(const pdmc_joints *j, const pdmc_nodes *g, const pdmc_block *block, int listed,
+                            uint64_t whole[])
 {
     const size_t row = pdmc_joints_row(j, block->body) + 1;
     for (unsigned left = g->bonds[block->bonds + (size_t)listed]; left; left &= left - 1) {
         const size_t other = pdmc_nodes_neighbour(g, block, listed, __builtin_ctz(left));
         const int i = j->interface[row + (size_t)g->body[other]];
-        if (i >= 0) found[i] = true;
+        if (i >= 0) whole[i]++;
     }
 }
 
-pdmc_status pdmc_joints_check_used(const pdmc_joints *j, const pdmc_nodes *g, int interfaces)
+void pdmc_joints_count(const pdmc_joints *j, const pdmc_nodes *g, int interfaces, uint64_t whole[])
 {
-    pdmc_status status = PDMC_OK;
-    bool *found = NULL;
-    PDMC_NEW(found, interfaces);
+    for (int i = 0; i < interfaces; i++) whole[i] = 0;
     for (int b = 0; b < g->block_count; b++)
-        for (int n = 0; n < g->blocks[b].listed && g->blocks[b].joined; n++) find_used(j, g, &g->blocks[b], n, found);
-    for (int i = 0; i < interfaces; i++)
-        if (!found[i]) PDMC_FAIL(PDMC_ERR_ARG, "interfaces[%d]: no bond is between the two", i);
-done:
-    pdmc_free(found);
-    return status;
+        for (int n = 0; n < g->blocks[b].listed && g->blocks[b].joined; n++)
+            count_neighbour(j, g, &g->blocks[b], n, whole);
+    for (int i = 0; i < interfaces; i++) whole[i] /= 2;
 }

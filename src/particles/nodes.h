@@ -81,8 +81,8 @@ bool pdmc_shape_holds(const pdmc_shape *shape, const double x[PDMC_AXES], double
 /// @return PDMC_OK, or PDMC_ERR_ARG where a crack crosses no bond that those before it have left, or takes a node's last one
 PDMC_NODISCARD pdmc_status pdmc_nodes_cut(pdmc_nodes *nodes, int count, const pdmc_planar_crack cracks[]);
 
-/// @return PDMC_OK; PDMC_ERR_ARG where an interface of the options is that of no bond; PDMC_ERR_NOMEM
-PDMC_NODISCARD pdmc_status pdmc_joints_check_used(const pdmc_joints *joints, const pdmc_nodes *nodes, int interfaces);
+/// Whole bonds of each interface. @param[out] whole  [interfaces]
+void pdmc_joints_count(const pdmc_joints *joints, const pdmc_nodes *nodes, int interfaces, uint64_t whole[]);
 
 /// The cell to which the node in a block's cell + lane has the k-th bond of the block's list.
 static inline size_t pdmc_nodes_neighbour(const pdmc_nodes *g, const pdmc_block *block, int k, int lane)

@@ -29,7 +29,8 @@ struct pdmc_particles {
     pdmc_contact contact;
     pdmc_damping damping;
     pdmc_rest_memory rest;
-    int layer_count, sphere_count;
+    int layer_count, sphere_count, interface_count;
+    uint64_t *interface_bonds; // [interfaces] at the start, without cracks
     pdmc_layer *layers;
     pdmc_rigid_sphere *spheres; // at the time, with their velocities half a step after it
     double *sphere_force;       // [spheres, 3] of the nodes

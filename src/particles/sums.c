@@ -147,6 +147,15 @@ void pdmc_particles_conditions(const pdmc_particles *p, double force[], double d
     }
 }
 
+void pdmc_particles_interfaces(const pdmc_particles *p, uint64_t bonds[], uint64_t broken[])
+{
+    pdmc_joints_count(&p->variation.joints, &p->nodes, p->interface_count, broken);
+    for (int i = 0; i < p->interface_count; i++) {
+        bonds[i] = p->interface_bonds[i];
+        broken[i] = bonds[i] - broken[i];
+    }
+}
+
 void pdmc_particles_spheres(const pdmc_particles *p, pdmc_rigid_sphere spheres[])
 {
     for (int s = 0; s < p->sphere_count; s++) {

@@ -7,6 +7,7 @@
 #define EXPLICIT "/explicit/" // ... and that only explicit and quasi-static ones have
 #define REST EXPLICIT "rest/" // ... and only the latter
 #define SPHERE_FORCE EXPLICIT "spheres/force"
+#define INTERFACES EXPLICIT "interfaces/"
 #define GENERATOR "mesh_generator"
 #define SAMPLE_FORCE REST "samples/largest_force"
 #define SCALAR "/scalar/" // ... and scalar ones
@@ -207,6 +208,12 @@ const pdmc_dataset pdmc_datasets[] = {
           PDMC_DIM_CONDITION, PDMC_DIM_AXIS),
     REALS(EXPLICIT "conditions/displacement", particles.condition_displacement, LENGTH, "mean of its nodes",
           PDMC_DIM_RECORD, PDMC_DIM_CONDITION, PDMC_DIM_AXIS),
+    OF_LIST("interfaces/name", NAME, interfaces, pdmc_interface_record, name, NONE, "interface", 1, PDMC_DIM_INTERFACE,
+            PDMC_DIM_END),
+    OF_LIST("interfaces/bonds", REAL, interfaces, pdmc_interface_record, bonds, NONE,
+            "its bonds at the start, those that cracks cut included", 1, PDMC_DIM_INTERFACE, PDMC_DIM_END),
+    REALS(INTERFACES "broken", particles.interface_broken, NONE, "its bonds that are broken", PDMC_DIM_RECORD,
+          PDMC_DIM_INTERFACE),
     OF_LIST("bodies/name", NAME, bodies, pdmc_body_record, name, NONE, "body", 1, PDMC_DIM_BODY, PDMC_DIM_END),
     REALS(EXPLICIT "nodes/position", particles.node_position, LENGTH, "nodes in the reference configuration",
           PDMC_DIM_PARTICLE, PDMC_DIM_AXIS),
@@ -517,6 +524,7 @@ static const struct {
     [PDMC_DIM_FOLLOWED_TIP] = {"tip", MEMBER(particles.tip_count), true, 0},
     [PDMC_DIM_SPHERE] = {"sphere", MEMBER(particles.sphere_count), true, 0},
     [PDMC_DIM_CONDITION] = {"condition", MEMBER(particles.condition_count), true, 0},
+    [PDMC_DIM_INTERFACE] = {"interface", MEMBER(particles.interface_count), true, 0},
     [PDMC_DIM_BODY] = {"body", MEMBER(particles.body_count), true, 0},
     [PDMC_DIM_PARTICLE] = {"node", MEMBER(particles.node_count), true, 0},
     [PDMC_DIM_SNAPSHOT] = {"snapshot", MEMBER(particles.snapshot_count), true, 0},
@@ -605,7 +613,8 @@ bool pdmc_attribute_belongs(const pdmc_results *results, const pdmc_attribute *a
 bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset)
 {
     // What files of earlier versions do not hold.
-    static const char *const later[] = {PEAK_MEMORY, ACCURACY, FRACTURE_ENERGY, SOLVER, LARGEST, GIVEN_REST, SPHERE_FORCE, SAMPLE_FORCE, CONDITIONAL, REPLICATES, CONTROL, RELIABILITY, FORCE_ERROR};
+    static const char *const later[] = {PEAK_MEMORY, ACCURACY, FRACTURE_ENERGY, SOLVER, LARGEST, GIVEN_REST, SPHERE_FORCE, SAMPLE_FORCE, CONDITIONAL, REPLICATES, CONTROL, RELIABILITY, FORCE_ERROR,
+                                        INTERFACES};
     for (size_t i = 0; i < COUNT(later); i++)
         if (strncmp(dataset->path, later[i], strlen(later[i])) == 0) return true;
     return false;

@@ -167,10 +167,11 @@ static pdmc_status check_particle_names(const pdmc_results *results, pdmc_status
     for (int i = 0; i < p->sphere_count; i++) without += has_no_end(p->spheres[i].name);
     for (int i = 0; i < p->body_count; i++) without += has_no_end(p->bodies[i].name);
     for (int i = 0; i < p->condition_count; i++) without += has_no_end(p->conditions[i].name);
+    for (int i = 0; i < p->interface_count; i++) without += has_no_end(p->interfaces[i].name);
     for (int i = 0; i < results->quadrature.rule_count; i++) without += has_no_end(results->quadrature.rules[i].name);
     return without == 0
                ? PDMC_OK
-               : pdmc_raise(code, "%d names of tips, spheres, bodies, conditions or rules have no end", without);
+               : pdmc_raise(code, "%d names of tips, spheres, bodies, conditions, interfaces or rules have no end", without);
 }
 
 static pdmc_status check_states(const pdmc_results *results, pdmc_status code)

@@ -111,6 +111,24 @@ done:
     return status;
 }
 
+static pdmc_status prepare_interfaces(pdmc_recorder *r)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_explicit_record *record = r->record;
+    const int count = record->interface_count = r->study->interface_count;
+    PDMC_NEW(record->interfaces, count);
+    PDMC_NEW(record->interface_broken, (size_t)r->records * (size_t)count);
+    PDMC_NEW(r->bonds, 2 * count);
+    pdmc_particles_interfaces(r->particles, r->bonds, &r->bonds[count]);
+    for (int i = 0; i < count; i++) {
+        memcpy(record->interfaces[i].name, r->study->interfaces[i].bonds.name,
+               sizeof r->study->interfaces[i].bonds.name);
+        record->interfaces[i].bonds = (double)r->bonds[i];
+    }
+done:
+    return status;
+}
+
 static pdmc_status describe(pdmc_recorder *r)
 {
     const pdmc_explicit *study = r->study;
@@ -136,6 +154,7 @@ pdmc_status pdmc_recorder_prepare(pdmc_recorder *r)
     PDMC_TRY(prepare_tips(r));
     PDMC_TRY(prepare_spheres(r));
     PDMC_TRY(prepare_conditions(r));
+    PDMC_TRY(prepare_interfaces(r));
 done:
     return status;
 }
@@ -146,6 +165,7 @@ void pdmc_recorder_clear(pdmc_recorder *r)
     pdmc_free(r->damage);
     pdmc_free(r->piece);
     pdmc_free(r->spheres);
+    pdmc_free(r->bonds);
     *r = (pdmc_recorder){0};
 }
 
@@ -199,6 +219,14 @@ static void record_conditions(pdmc_recorder *r, int at)
                               &r->record->condition_displacement[place]);
 }
 
+static void record_interfaces(pdmc_recorder *r, int at)
+{
+    const int count = r->record->interface_count;
+    uint64_t *broken = &r->bonds[count];
+    pdmc_particles_interfaces(r->particles, r->bonds, broken);
+    for (int i = 0; i < count; i++) r->record->interface_broken[at * count + i] = (double)broken[i];
+}
+
 static void repeat_fragments(pdmc_explicit_record *record, int at)
 {
     record->fragments[at] = record->fragments[at - 1];
@@ -248,6 +276,7 @@ pdmc_status pdmc_recorder_take_record(pdmc_recorder *r)
     if (!r->tips_alone || r->study->load_steps > 0) record_conditions(r, at);
     if (r->tips_alone) return PDMC_OK;
     record_spheres(r, at);
+    record_interfaces(r, at);
     const pdmc_status status = record_precision(r, at);
     return status == PDMC_OK ? record_fragments(r, at) : status;
 }

@@ -20,6 +20,7 @@ typedef struct {
     int pieces;
     bool is_kept; // whether there is a state after the last snapshot
     pdmc_rigid_sphere *spheres;
+    uint64_t *bonds; // [2, interfaces] at the start, and broken
 } pdmc_recorder;
 
 /// Describes what moves and makes room for `records` records and the snapshots, and one more for where a run is stopped.

@@ -36,6 +36,11 @@ static void put_header(const pdmc_results *r, FILE *stream)
         pdmc_csv_axes(stream, p->conditions[c].name, ".force", r->force_unit);
         pdmc_csv_axes(stream, p->conditions[c].name, ".displacement", r->length_unit);
     }
+    for (int k = 0; k < p->interface_count; k++) {
+        snprintf(column, sizeof column, "%s.broken", p->interfaces[k].name);
+        fputc(',', stream);
+        pdmc_csv_text(stream, column);
+    }
     if (pdmc_is_at_rest(p)) fputs(",residual,relaxation_steps,breakages", stream);
     if (p->compared_count > 0) fputs(",force_error", stream);
     fputc('\n', stream);
@@ -69,6 +74,8 @@ pdmc_status pdmc_csv_records(const pdmc_results *results, FILE *stream)
             pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_condition(p, p->condition_force, i, c));
             pdmc_csv_numbers(stream, PDMC_AXES, pdmc_of_condition(p, p->condition_displacement, i, c));
         }
+        for (int k = 0; k < p->interface_count; k++)
+            pdmc_csv_number(stream, pdmc_of_interface(p, p->interface_broken, i, k));
         const double *const of_rest[] = {p->residual, p->relaxation_steps, p->breakages};
         for (int k = 0; k < 3 && pdmc_is_at_rest(p); k++) pdmc_csv_number(stream, of_rest[k][i]);
         if (p->compared_count > 0) pdmc_csv_number(stream, p->force_error[i]);

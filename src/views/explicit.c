@@ -18,6 +18,11 @@ const double *pdmc_of_condition(const pdmc_explicit_record *record, const double
     return &values[3 * ((size_t)at * (size_t)record->condition_count + (size_t)condition)];
 }
 
+double pdmc_of_interface(const pdmc_explicit_record *record, const double values[], int at, int interface)
+{
+    return values[(size_t)at * (size_t)record->interface_count + (size_t)interface];
+}
+
 double pdmc_explicit_balance_error(const pdmc_explicit_record *r)
 {
     double error = 0.0, largest = 0.0;

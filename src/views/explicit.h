@@ -6,10 +6,11 @@
 #include "views/views_impl.h"
 
 /// A tip's advance or speed, a sphere's centre or velocity, a condition's force or displacement, in an array [N, count] or
-/// [N, count, 3].
+/// [N, count, 3]; the broken bonds of an interface.
 double pdmc_of_tip(const pdmc_explicit_record *record, const double values[], int at, int tip);
 const double *pdmc_of_sphere(const pdmc_explicit_record *record, const double values[], int at, int sphere);
 const double *pdmc_of_condition(const pdmc_explicit_record *record, const double values[], int at, int condition);
+double pdmc_of_interface(const pdmc_explicit_record *record, const double values[], int at, int interface);
 
 /// The largest difference between what came in, first + work, and what it has become, over the largest of the latter;
 /// NaN without either.

@@ -96,6 +96,17 @@ static json_t *condition(const pdmc_explicit_record *p, int c)
     return object;
 }
 
+static json_t *interface(const pdmc_explicit_record *p, int k)
+{
+    json_t *object = json_object(), *broken = json_array();
+    pdmc_json_put(&object, "name", pdmc_json_text(p->interfaces[k].name));
+    pdmc_json_put(&object, "bonds", pdmc_json_number(p->interfaces[k].bonds));
+    for (int i = 0; i < p->record_count; i++)
+        pdmc_json_append(&broken, pdmc_json_number(pdmc_of_interface(p, p->interface_broken, i, k)));
+    pdmc_json_put(&object, "broken", broken);
+    return object;
+}
+
 static json_t *last(const pdmc_explicit_record *p)
 {
     const int i = p->record_count - 1;
@@ -133,6 +144,7 @@ static json_t *fragments(const pdmc_explicit_record *p)
 json_t *pdmc_json_explicit(const pdmc_explicit_record *p)
 {
     json_t *object = json_object(), *tips = json_array(), *spheres = json_array(), *conditions = json_array();
+    json_t *interfaces = json_array();
     pdmc_json_put(&object, "dimension", json_integer(p->dimension));
     pdmc_json_put(&object, "nodes", json_integer(p->node_count));
     pdmc_json_put(&object, "bonds", pdmc_json_number(p->bonds));
@@ -150,9 +162,11 @@ json_t *pdmc_json_explicit(const pdmc_explicit_record *p)
     for (int t = 0; t < p->tip_count; t++) pdmc_json_append(&tips, tip(p, t));
     for (int s = 0; s < p->sphere_count; s++) pdmc_json_append(&spheres, sphere(p, s));
     for (int c = 0; c < p->condition_count; c++) pdmc_json_append(&conditions, condition(p, c));
+    for (int k = 0; k < p->interface_count; k++) pdmc_json_append(&interfaces, interface(p, k));
     pdmc_json_put(&object, "tips", tips);
     pdmc_json_put(&object, "spheres", spheres);
     pdmc_json_put(&object, "conditions", conditions);
+    pdmc_json_put(&object, "interfaces", interfaces);
     pdmc_json_put(&object, "fragments", fragments(p));
     pdmc_json_put(&object, "records", records(p));
     pdmc_json_put(&object, "snapshot_times", pdmc_json_numbers((size_t)p->snapshot_count, p->snapshot_time));

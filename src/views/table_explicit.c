@@ -144,6 +144,18 @@ static void print_conditions(const pdmc_results *r, int last, FILE *stream)
     }
 }
 
+static void print_interfaces(const pdmc_explicit_record *p, int last, FILE *stream)
+{
+    char n[PDMC_BRIEF_SIZE], text[PDMC_LINE_SIZE];
+    if (p->interface_count == 0) return;
+    fprintf(stream, "\ninterfaces %21s %12s %12s\n", "bonds", "broken", "a share of");
+    for (int k = 0; k < p->interface_count; k++) {
+        const double broken = pdmc_of_interface(p, p->interface_broken, last, k), bonds = p->interfaces[k].bonds;
+        fprintf(stream, "  %-15.15s %14.0f %12.0f %12s\n", pdmc_one_line(text, p->interfaces[k].name), bonds, broken,
+                pdmc_brief(n, broken / bonds));
+    }
+}
+
 void pdmc_table_explicit(const pdmc_results *r, FILE *stream)
 {
     const pdmc_explicit_record *p = &r->particles;
@@ -155,6 +167,7 @@ void pdmc_table_explicit(const pdmc_results *r, FILE *stream)
         print_tips(r, stream);
         print_spheres(r, last, stream);
         print_conditions(r, last, stream);
+        print_interfaces(p, last, stream);
     }
     fprintf(stream, "\nkept     %d records, %d snapshots of all nodes\n", p->record_count, p->snapshot_count);
     fprintf(stream, pdmc_is_at_rest(p) ? "seconds  loads %.2f, output %.2f\n" : "seconds  steps %.2f, output %.2f\n",

@@ -22,8 +22,11 @@ cp out resolved.cfg
 expect 0 '"$pdmc" check -q -t 1 resolved.cfg'
 cmp out resolved.cfg
 expect 0 '"$pdmc" -q -t 1 body.cfg'
+expect 0 '"$pdmc" show body.h5'
+grep -qE '^  interface1 +[0-9]+ +[0-9]+ +[0-9.]+$' out && grep -qE '^  glue +[0-9]+ +0 +0$' out || fail "interfaces: $(cat out)"
 expect 0 '"$pdmc" export body.h5 csv'
-grep -q ',core,' csv/nodes.csv || grep -q 'core' csv/nodes.csv || fail 'nodes of a part have its name'
+grep -q '^core,' csv/nodes.csv || fail 'nodes of a part have its name'
+grep -q ',interface1.broken,glue.broken$' csv/records.csv || fail "columns: $(head -n 1 csv/records.csv)"
 rm -r csv body.h5
 
 # refuses SED_SCRIPT LINE: the changed study is refused with this line, by a run and by a check, and nothing is written.

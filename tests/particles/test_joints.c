@@ -233,6 +233,10 @@ static void an_interface_breaks_at_its_own_stretch(void **state)
             CHECK_OK(pdmc_particles_find_fragments(p, of_node, &pieces));
             assert_int_equal(pdmc_particles_sum(p).broken, at == 0 ? 0 : at == 1 ? between : pdmc_particles_bonds(p));
             assert_int_equal(pieces, at == 0 ? 1 : at == 1 ? 2 : 80);
+            uint64_t bonds, broken;
+            pdmc_particles_interfaces(p, &bonds, &broken);
+            assert_int_equal(bonds, between);
+            assert_int_equal(broken, at == 0 ? 0 : between);
             pdmc_particles_destroy(p);
             // A weak node has weak bonds to the other side, and no weak body.
             if (at == 1)

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { ACROSS = 8, UP = 4, DEEP = 3, RECORDS = 21, SNAPSHOTS = 3, TIPS = 2, SPHERES = 2, BODIES = 2, CONDITIONS = 2 };
+enum { ACROSS = 8, UP = 4, DEEP = 3, RECORDS = 21, SNAPSHOTS = 3, TIPS = 2, SPHERES = 2, BODIES = 2, CONDITIONS = 2, INTERFACES = 2 };
 
 static const double spacing = 0.5, interval = 0.1;
 
@@ -122,6 +122,17 @@ static void make_conditions(pdmc_explicit_record *p)
     }
 }
 
+static void make_interfaces(pdmc_explicit_record *p)
+{
+    NEW(p->interfaces, INTERFACES);
+    NEW(p->interface_broken, INTERFACES * RECORDS);
+    for (int k = 0; k < INTERFACES; k++) {
+        snprintf(p->interfaces[k].name, sizeof p->interfaces[k].name, "glue%d", k + 1);
+        p->interfaces[k].bonds = 100.0 + k;
+    }
+    for (int i = 0; i < INTERFACES * RECORDS; i++) p->interface_broken[i] = 1.5 * i;
+}
+
 static void make_nodes(pdmc_explicit_record *p)
 {
     const int layers = p->dimension == 3 ? DEEP : 1, n = ACROSS * UP * layers;
@@ -183,6 +194,7 @@ pdmc_results made_up_explicit(int dimension)
                                     .tip_count = TIPS,
                                     .sphere_count = SPHERES,
                                     .condition_count = CONDITIONS,
+                                    .interface_count = INTERFACES,
                                     .body_count = BODIES}};
     make_texts(&r);
     make_energies(&r.particles);
@@ -190,6 +202,7 @@ pdmc_results made_up_explicit(int dimension)
     make_tips(&r.particles);
     make_spheres(&r.particles);
     make_conditions(&r.particles);
+    make_interfaces(&r.particles);
     make_nodes(&r.particles);
     make_snapshots(&r.particles);
     make_fragments(&r.particles);

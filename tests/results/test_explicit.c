@@ -25,6 +25,7 @@ static void check_columns(const pdmc_explicit_record *a, const pdmc_explicit_rec
         {a->dissipated, b->dissipated, a->record_count},
         {a->condition_force, b->condition_force, 3 * a->condition_count * a->record_count},
         {a->condition_displacement, b->condition_displacement, 3 * a->condition_count * a->record_count},
+        {a->interface_broken, b->interface_broken, a->interface_count * a->record_count},
         {a->momentum, b->momentum, 3 * a->record_count},
         {a->mean_damage, b->mean_damage, a->record_count},
         {a->broken, b->broken, a->record_count},
@@ -58,6 +59,8 @@ static void check_record(const pdmc_explicit_record *a, const pdmc_explicit_reco
     assert_int_equal(a->tip_count, b->tip_count);
     assert_int_equal(a->sphere_count, b->sphere_count);
     assert_int_equal(a->body_count, b->body_count);
+    assert_int_equal(a->interface_count, b->interface_count);
+    assert_memory_equal(a->interfaces, b->interfaces, (size_t)a->interface_count * sizeof *a->interfaces);
     assert_int_equal(a->node_count, b->node_count);
     assert_int_equal(a->snapshot_count, b->snapshot_count);
     assert_int_equal(a->state_count, b->state_count);

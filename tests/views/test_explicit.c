@@ -58,6 +58,7 @@ static void the_table_has_tips_and_spheres(void **state)
     expect_line(
         text, "  centre.to                     1          0          3        0.5        1.4           3          3\n");
     expect_line(text, "  sphere2");
+    expect_line(text, "  glue2                      101           62       0.6089\n"); // 61.5 of 101, in whole bonds
     for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n")) assert_true(strlen(line) <= 100);
     free(text);
     pdmc_results_clear(&r);
@@ -81,6 +82,10 @@ static void the_json_has_all_records(void **state)
                0.25 * (6 * 20 + 5), 0.0);
     CHECK_NEAR(json_number_value(json_array_get(json_array_get(json_object_get(sphere, "force"), 20), 2)),
                7.0 * (6 * 20 + 5), 0.0);
+    const json_t *interface = json_array_get(json_object_get(object, "interfaces"), 1);
+    assert_string_equal(json_string_value(json_object_get(interface, "name")), "glue2");
+    CHECK_NEAR(json_number_value(json_object_get(interface, "bonds")), 101.0, 0.0);
+    CHECK_NEAR(json_number_value(json_array_get(json_object_get(interface, "broken"), 20)), 1.5 * 41, 0.0);
     const json_t *condition = json_array_get(json_object_get(object, "conditions"), 1);
     assert_string_equal(json_string_value(json_object_get(condition, "name")), "end2");
     CHECK_NEAR(json_number_value(json_array_get(json_array_get(json_object_get(condition, "force"), 20), 1)),
@@ -106,7 +111,7 @@ static void single_precision_is_told(void **state)
     pdmc_results r = made_up_explicit(3);
     char *table = captured(pdmc_view_table, &r), *records = captured(pdmc_csv_records, &r);
     expect_line(table, "  single precision changes no force by more than 4.768e-06 of the largest one\n");
-    expect_line(records, "displacement.z[mm],force_error\n");
+    expect_line(records, "displacement.z[mm],glue1.broken,glue2.broken,force_error\n");
     expect_line(records, ",4.76837158203125e-06\n");
     free(table);
     free(records);
@@ -142,6 +147,7 @@ static void the_csv_has_records_and_nodes(void **state)
                          "loose_nodes,largest_fragment[kN ms^2/mm],"
                          "centre.from.advance[mm],centre.from.speed[mm/ms],");
     expect_line(records, "\n20,2,1,2,0.25,0.5,0.25,2,0,-2,0,");
+    expect_line(records, ",60,61.5"); // of interfaces
     assert_int_equal(lines_of(records), 22);
     expect_line(nodes, "body,position.x[mm],");
     expect_line(nodes, "\nbody2,3.5,1.5,0,"); // the last node
@@ -282,7 +288,7 @@ static void csv_and_pictures_of_loads(void **state)
     pdmc_results r = made_up_loads();
     char *text = captured(pdmc_csv_records, &r);
     expect_line(text, "record,load,kinetic[kN mm],");
-    expect_line(text, "displacement.z[mm],residual,relaxation_steps,breakages\n");
+    expect_line(text, "displacement.z[mm],glue1.broken,glue2.broken,residual,relaxation_steps,breakages\n");
     expect_line(text, ",0.01953125,10,0\n");
     free(text);
     CHECK_OK(pdmc_view_plot(&r, scratch_path("plots")));
