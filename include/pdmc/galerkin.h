@@ -42,8 +42,6 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_scalar_dispersion(const pdmc_scalar_ker
 
 // ---- spaces ----
 
-typedef enum { PDMC_SPACE_CONTINUOUS, PDMC_SPACE_DISCONTINUOUS, PDMC_SPACE_MIXED } pdmc_space_kind;
-
 /// Piecewise linear functions: values in the corners of elements. The free ones are the first.
 typedef struct {
     const pdmc_mesh *mesh; // must outlive the space

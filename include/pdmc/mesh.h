@@ -19,6 +19,9 @@ typedef struct {
     char generator[PDMC_GENERATOR_SIZE]; // what made or read it, "Gmsh 4.8.4"; "" where it was pdmc itself
 } pdmc_mesh;
 
+/// What linear functions on a mesh share between elements: the values in nodes, nothing, or those in nodes of no rough element.
+typedef enum { PDMC_SPACE_CONTINUOUS, PDMC_SPACE_DISCONTINUOUS, PDMC_SPACE_MIXED } pdmc_space_kind;
+
 /// A box with its middle at the origin, in equal cells, and round it a layer in cells no longer than those. In two
 /// dimensions each cell is two triangles, whose common edges meet in every second node.
 /// @param[in]  dimension  1 or 2

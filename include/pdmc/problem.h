@@ -7,6 +7,7 @@
 
 #include "pdmc/design.h"
 #include "pdmc/field.h"
+#include "pdmc/mesh.h"
 
 enum { PDMC_NAME_SIZE = 64 }; // with the terminating zero
 
@@ -164,7 +165,9 @@ typedef enum { PDMC_OFF, PDMC_ON } pdmc_switch;
 /// The radial function of the stencils over visible nodes: an inverse multiquadric, or r^3.
 typedef enum { PDMC_STENCIL_IMQ, PDMC_STENCIL_POLYHARMONIC } pdmc_stencil_kind;
 
-typedef enum { PDMC_METHOD_KANSA, PDMC_METHOD_BOND } pdmc_method;
+typedef enum { PDMC_METHOD_KANSA, PDMC_METHOD_BOND, PDMC_METHOD_GALERKIN } pdmc_method;
+
+enum { PDMC_GALERKIN_CRACKS = 24 }; // at most, of a plate by finite elements
 
 /// The area by which a node's bond counts, of a cell that the edge of the horizon may cut: the whole cell if its middle
 /// is inside; a share that falls linearly over the last half cells (partial volume); the exact area of the cell inside;
@@ -194,7 +197,9 @@ typedef struct {
     pdmc_bond_area area;       // of the bond method, as are the rest
     pdmc_switch surface_correction; // bonds near an edge stiffened by the energy that the missing ones would hold
     pdmc_bond_micromodulus micromodulus;
-    double load_layer; // thickness of the layer of nodes that a traction is spread over, length
+    double load_layer; // thickness of the layer that a traction is spread over, length; of finite elements too
+    pdmc_space_kind space; // of finite elements, as is the rest
+    int outer_parts;       // of each side of an element, with points of the outer integral in every one
 } pdmc_solver_options;
 
 typedef enum { PDMC_INVERSE_DIRECT, PDMC_INVERSE_NEUMANN, PDMC_INVERSE_KRYLOV, PDMC_INVERSE_REDUCED } pdmc_inverse;

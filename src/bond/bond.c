@@ -2,47 +2,23 @@
 #include "bond/bond.h"
 #include "bond/dissection.h"
 #include "bond/nodal.h"
+#include "discretisation/rigid.h"
 
 #include <cblas.h>
 #include <math.h>
 #include <string.h>
 
-// Displacement of an unknown in a rigid motion (t_x, t_y, omega).
-static double rigid(const pdmc_bond_grid *grid, const double motion[3], int unknown)
+static pdmc_status hold_rigid_motions(const pdmc_problem *problem, pdmc_bond_plate *plate)
 {
-    double x[2];
-    pdmc_bond_grid_node(grid, unknown / 2, x);
-    return unknown % 2 == 0 ? motion[0] - motion[2] * x[1] : motion[1] + motion[2] * x[0];
-}
-
-enum { CANDIDATES = 8 }; // the unknowns of the corner nodes
-
-// Takes out of the other motions what moves an unknown.
-static void eliminate(int count, double value[3][CANDIDATES], int pivot, int column)
-{
-    for (int m = pivot + 1; m < count; m++) {
-        const double ratio = value[m][column] / value[pivot][column];
-        for (int c = 0; c < CANDIDATES; c++) value[m][c] -= ratio * value[pivot][c];
-    }
-}
-
-// Holds as many unknowns as there are rigid motions that nothing else holds, at corners, where they stop them best. The
-// loads are in equilibrium, so that it takes no force to hold them.
-static pdmc_status hold_rigid_motions(const pdmc_problem *problem, pdmc_bond_grid *grid)
-{
-    const int corners[4] = {0, grid->columns - 1, grid->nodes - grid->columns, grid->nodes - 1};
-    int count;
-    double motion[3][3], value[3][CANDIDATES];
-    const pdmc_status status = pdmc_problem_free_motions(problem, &count, motion);
-    if (status != PDMC_OK) return status;
-    for (int m = 0; m < count; m++)
-        for (int c = 0; c < CANDIDATES; c++) value[m][c] = rigid(grid, motion[m], 2 * corners[c / 2] + c % 2);
-    for (int m = 0; m < count; m++) {
-        const int best = (int)cblas_idamax(CANDIDATES, value[m], 1);
-        grid->held[corners[best / 2]] |= (uint8_t)(1U << (best % 2));
-        eliminate(count, value, m, best);
-    }
-    return PDMC_OK;
+    const pdmc_bond_grid *grid = &plate->grid;
+    const int corners[PDMC_RIGID_CANDIDATES] = {0, grid->columns - 1, grid->nodes - grid->columns, grid->nodes - 1};
+    pdmc_status status = PDMC_OK;
+    double *x = NULL;
+    PDMC_TRY(pdmc_bond_grid_nodes(grid, &x));
+    PDMC_TRY(pdmc_rigid_hold(problem, x, corners, grid->held));
+done:
+    pdmc_free(x);
+    return status;
 }
 
 // The node in the plate's column or row `along` of a side, `depth` rows inside; -1 beyond the side's end.
@@ -85,34 +61,21 @@ static bool is_at_edge(const pdmc_bond_grid *grid, int node)
     return column == 0 || column == grid->columns - 1 || row == 0 || row == grid->rows - 1;
 }
 
-// The sum over the nodes at the edges of the product of two fields, one of them a rigid motion.
-static double edge_product(const pdmc_bond_grid *grid, const double motion[3], const double x[], const double other[3])
-{
-    double sum = 0.0;
-    for (int k = 0; k < 2 * grid->nodes; k++)
-        if (is_at_edge(grid, k / 2)) sum += rigid(grid, motion, k) * (x ? x[k] : rigid(grid, other, k));
-    return sum;
-}
-
-// Takes out of a solution the rigid motions that nothing holds: their mean over the nodes at the edges becomes zero.
+// Their mean over the nodes at the edges becomes zero.
 static pdmc_status take_out_rigid_motions(const pdmc_bond *bond, double x[])
 {
     const pdmc_bond_grid *grid = &bond->plate.grid;
-    int count;
-    double motion[3][3];
-    const pdmc_status status = pdmc_problem_free_motions(bond->problem, &count, motion);
-    if (status != PDMC_OK) return status;
-    for (int m = 0; m < count; m++) {
-        for (int j = 0; j < m; j++) { // Gram & Schmidt
-            const double share = edge_product(grid, motion[j], NULL, motion[m]);
-            for (int i = 0; i < 3; i++) motion[m][i] -= share * motion[j][i];
-        }
-        const double size = sqrt(edge_product(grid, motion[m], NULL, motion[m]));
-        for (int i = 0; i < 3; i++) motion[m][i] /= size;
-        const double part = edge_product(grid, motion[m], x, NULL);
-        for (int k = 0; k < bond->unknowns; k++) x[k] -= part * rigid(grid, motion[m], k);
-    }
-    return PDMC_OK;
+    pdmc_status status = PDMC_OK;
+    double *node = NULL;
+    uint8_t *at_edge = NULL;
+    PDMC_TRY(pdmc_bond_grid_nodes(grid, &node));
+    PDMC_NEW(at_edge, grid->nodes);
+    for (int k = 0; k < grid->nodes; k++) at_edge[k] = is_at_edge(grid, k);
+    PDMC_TRY(pdmc_rigid_take_out(bond->problem, grid->nodes, node, at_edge, x));
+done:
+    pdmc_free(node);
+    pdmc_free(at_edge);
+    return status;
 }
 
 static pdmc_status factor_mean(pdmc_bond *bond)
@@ -218,7 +181,7 @@ static pdmc_status make_plate(pdmc_bond *bond)
     pdmc_bond_plate *plate = &bond->plate;
     PDMC_TRY(pdmc_bond_horizon_create(problem, noise ? noise->bins : 1, &plate->horizon));
     PDMC_TRY(pdmc_bond_grid_create(problem, &plate->grid));
-    PDMC_TRY(hold_rigid_motions(problem, &plate->grid));
+    PDMC_TRY(hold_rigid_motions(problem, plate));
     PDMC_TRY(pdmc_bond_families_create(problem, &plate->grid, &plate->horizon, &plate->families));
     bond->unknowns = 2 * plate->grid.nodes;
     PDMC_TRY(pdmc_load_cases_create(problem, &bond->loads));

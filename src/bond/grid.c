@@ -82,3 +82,13 @@ void pdmc_bond_grid_node(const pdmc_bond_grid *grid, int node, double x[2])
     x[0] = grid->origin[0] + column * grid->spacing;
     x[1] = grid->origin[1] + row * grid->spacing;
 }
+
+pdmc_status pdmc_bond_grid_nodes(const pdmc_bond_grid *grid, double **x)
+{
+    pdmc_status status = PDMC_OK;
+    *x = NULL;
+    PDMC_NEW(*x, 2 * (size_t)grid->nodes);
+    for (int k = 0; k < grid->nodes; k++) pdmc_bond_grid_node(grid, k, &(*x)[2 * (size_t)k]);
+done:
+    return status;
+}

@@ -22,6 +22,10 @@ void pdmc_bond_grid_clear(pdmc_bond_grid *grid);
 
 void pdmc_bond_grid_node(const pdmc_bond_grid *grid, int node, double x[2]);
 
+/// Those of all nodes.
+/// @param[out] x  [nodes, 2] free with pdmc_free(); NULL on failure
+PDMC_NODISCARD pdmc_status pdmc_bond_grid_nodes(const pdmc_bond_grid *grid, double **x);
+
 /// Whether a crack cuts the bond between two points.
 ///
 /// A crack is a closed segment, and a bond that meets it is cut; but the line of the crack belongs to its left face, so

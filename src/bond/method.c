@@ -53,8 +53,7 @@ static pdmc_status field(const void *method, pdmc_displacement_field *out)
     const pdmc_bond *bond = bond_of(method);
     const int count = bond->plate.grid.nodes;
     double *nodes = NULL;
-    PDMC_NEW(nodes, 2 * count);
-    for (int k = 0; k < count; k++) pdmc_bond_grid_node(&bond->plate.grid, k, &nodes[2 * k]);
+    PDMC_TRY(pdmc_bond_grid_nodes(&bond->plate.grid, &nodes));
     PDMC_TRY(pdmc_field_fill(bond->problem, count, nodes, displacement, method, out));
 done:
     pdmc_free(nodes);

@@ -4,17 +4,14 @@
 #include "galerkin/bond_moments.h"
 #include "pdmc/problem.h"
 
-// Each takes at most two more of a triangle's PDMC_POLYGON_CORNERS.
-enum { PDMC_SIGHT_CRACKS = 24 };
-
 /// The cracks near a point, relative to it; the point sees each turn counter-clockwise from end[0] to end[1].
 typedef struct {
     int count;
-    double end[PDMC_SIGHT_CRACKS][2][2];
+    double end[PDMC_GALERKIN_CRACKS][2][2];
 } pdmc_sight;
 
 /// @param[in] reach  of the bonds
-/// @param[in] count  of cracks, <= PDMC_SIGHT_CRACKS
+/// @param[in] count  of cracks, <= PDMC_GALERKIN_CRACKS
 pdmc_sight pdmc_sight_from(const double x[2], double reach, int count, const pdmc_crack cracks[]);
 
 /// Adds the moments of the part of a triangle that the point sees: bonds that a crack crosses are broken. No crack may pass

@@ -68,7 +68,7 @@ void pdmc_problem_place_cracks(const pdmc_problem *problem, const double value[]
 
 double pdmc_problem_least_half_crack(const pdmc_problem *problem)
 {
-    if (problem->solver.method == PDMC_METHOD_BOND) return problem->solver.spacing;
+    if (problem->solver.method != PDMC_METHOD_KANSA) return problem->solver.spacing;
     switch (problem->solver.crack_model) {
     case PDMC_CRACKS_ANALYTIC: return 2.0 * problem->solver.horizon;
     case PDMC_CRACKS_VISIBLE: return problem->solver.horizon;

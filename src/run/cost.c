@@ -15,8 +15,12 @@ static const double steps_of_a_search = 5.0; // for a design point
 
 static pdmc_cost cost_of_samples(const pdmc_problem *problem, int threads)
 {
-    const bool is_bond = problem->solver.method == PDMC_METHOD_BOND;
-    return (is_bond ? pdmc_bond_cost : pdmc_collocation_cost)(problem, threads);
+    switch (problem->solver.method) {
+    case PDMC_METHOD_KANSA: break;
+    case PDMC_METHOD_BOND: return pdmc_bond_cost(problem, threads);
+    case PDMC_METHOD_GALERKIN: return pdmc_galerkin_cost(problem, threads);
+    }
+    return pdmc_collocation_cost(problem, threads);
 }
 
 static double count_variables(const pdmc_problem *problem)

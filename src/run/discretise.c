@@ -3,6 +3,7 @@
 
 #include "base/base_impl.h"
 #include "bond/method.h"
+#include "galerkin/method.h"
 #include "kansa/method.h"
 #include "paper/method.h"
 #include "visible/method.h"
@@ -23,6 +24,7 @@ pdmc_status pdmc_discretise(const pdmc_problem *problem, int threads, pdmc_discr
     switch (problem->solver.method) {
     case PDMC_METHOD_KANSA: return collocate(problem, threads, out);
     case PDMC_METHOD_BOND: return pdmc_bond_discretise(problem, threads, out);
+    case PDMC_METHOD_GALERKIN: return pdmc_galerkin_discretise(problem, threads, out);
     }
     return pdmc_raise(PDMC_ERR_ARG, "method %d is unknown", (int)problem->solver.method);
 }

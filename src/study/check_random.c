@@ -61,8 +61,13 @@ static pdmc_status check_covariance(const pdmc_study_reader *reader, int index)
 static pdmc_status check_stiffness(const pdmc_study_reader *reader, int index)
 {
     const pdmc_solver_options *solver = &reader->problem->solver;
-    const bool has_energy = solver->method == PDMC_METHOD_BOND || solver->crack_model == PDMC_CRACKS_ANALYTIC;
+    const bool has_energy = solver->method == PDMC_METHOD_BOND ||
+                            (solver->method == PDMC_METHOD_KANSA && solver->crack_model == PDMC_CRACKS_ANALYTIC);
     if (reader->problem->uncertainties[index].quantity != PDMC_QUANTITY_STIFFNESS || has_energy) return PDMC_OK;
+    if (solver->method == PDMC_METHOD_GALERKIN)
+        return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "quantity"},
+                                 "\"stiffness\" is not known to method = \"galerkin\" yet, must be with method = \"bond\" or "
+                                 "crack_model = \"analytic\"");
     return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_RANDOM, index, "quantity"},
                              "a stiffness that varies in space has no gradient for the rows of a collocation, and needs an "
                              "energy, must be with method = \"bond\" or crack_model = \"analytic\"");
@@ -163,6 +168,9 @@ static pdmc_status check_crack(const pdmc_study_reader *reader, int index)
             reader, at,
             "makes another plate of every sample, with other modes of the stiffness: one of the two "
             "must go");
+    if (p->solver.method == PDMC_METHOD_GALERKIN && p->uncertainties[index].quantity == PDMC_QUANTITY_CRACK_ANGLE)
+        return pdmc_study_refuse(reader, at,
+                                 "turns a crack, and the elements of method = \"galerkin\" need it parallel to a side");
     if (p->solver.method == PDMC_METHOD_BOND && is_first_of_cracks(p, index))
         pdmc_study_warn(reader, at,
                         "moves the crack between the nodes of a grid: energies jump by the bonds that it cuts, so that "

@@ -77,6 +77,7 @@ pdmc_status pdmc_study_check_solver(const pdmc_study_reader *reader)
 {
     const pdmc_solver_options *solver = &reader->problem->solver;
     if (solver->method == PDMC_METHOD_BOND) return pdmc_study_check_grid(reader);
+    if (solver->method == PDMC_METHOD_GALERKIN) return pdmc_study_check_triangles(reader);
     pdmc_status status = PDMC_OK;
     if (solver->crack_model != PDMC_CRACKS_VISIBLE)
         status = pdmc_study_check_inner_tips(reader, "crack_model = \"visible\" or method = \"bond\"");

@@ -23,7 +23,8 @@ static double shorter_side(const pdmc_problem *problem)
 
 static double spacing_of(const pdmc_problem *problem, pdmc_method method)
 {
-    return shorter_side(problem) / (method == PDMC_METHOD_BOND ? 100.0 : 20.0);
+    static const double cells[] = {[PDMC_METHOD_KANSA] = 20.0, [PDMC_METHOD_BOND] = 100.0, [PDMC_METHOD_GALERKIN] = 80.0};
+    return shorter_side(problem) / cells[method];
 }
 
 double pdmc_study_default_spacing(const pdmc_problem *problem)
@@ -40,8 +41,10 @@ double pdmc_study_default_control_spacing(const pdmc_problem *problem)
 double pdmc_study_default_horizon(const pdmc_problem *problem)
 {
     const pdmc_solver_options *solver = &problem->solver;
-    if (solver->method == PDMC_METHOD_BOND)
-        return (solver->has_horizon_ratio ? solver->horizon_ratio : 5.0) * solver->spacing;
+    if (solver->method != PDMC_METHOD_KANSA) {
+        const double ratio = solver->method == PDMC_METHOD_BOND ? 5.0 : 4.0;
+        return (solver->has_horizon_ratio ? solver->horizon_ratio : ratio) * solver->spacing;
+    }
     return fmin(pdmc_study_shortest_half_crack(problem) / 5.0, shorter_side(problem) / 50.0);
 }
 
@@ -58,7 +61,7 @@ double pdmc_study_default_edge_layer(const pdmc_problem *problem)
 
 double pdmc_study_default_load_layer(const pdmc_problem *problem)
 {
-    return problem->solver.spacing;
+    return problem->solver.method == PDMC_METHOD_GALERKIN ? problem->solver.horizon : problem->solver.spacing;
 }
 
 double pdmc_study_default_step(const pdmc_problem *problem)

@@ -38,29 +38,17 @@ static void print_allowed(FILE *out, const pdmc_study_setting *s, const char *no
     pdmc_study_print_range(out, s);
 }
 
-static pdmc_status refuse_found(const pdmc_study_record *r, const pdmc_study_setting *s, const config_setting_t *value,
-                                const char *why, const char *noun)
+pdmc_status pdmc_study_refuse_value(const pdmc_study_record *r, const pdmc_study_setting *s,
+                                    const config_setting_t *value, const char *noun)
 {
     pdmc_study_text message;
     const pdmc_status status = pdmc_study_refusal_begin(r->reader, pdmc_study_address_of(r, s), &message);
     if (status != PDMC_OK) return status;
     if (value) print_found(message.out, value);
     else fprintf(message.out, "the default, %s,", s->fallback);
-    fprintf(message.out, " is not %s, ", why);
+    fputs(" is not allowed, ", message.out);
     print_allowed(message.out, s, noun);
     return pdmc_study_refusal_end(&message);
-}
-
-pdmc_status pdmc_study_refuse_value(const pdmc_study_record *r, const pdmc_study_setting *s,
-                                    const config_setting_t *value, const char *noun)
-{
-    return refuse_found(r, s, value, "allowed", noun);
-}
-
-pdmc_status pdmc_study_refuse_planned(const pdmc_study_record *r, const pdmc_study_setting *s,
-                                      const config_setting_t *value)
-{
-    return refuse_found(r, s, value, "available yet", "");
 }
 
 pdmc_status pdmc_study_refuse_kind(const pdmc_study_record *r, const pdmc_study_setting *s,

@@ -17,6 +17,7 @@
 #define PAPER ONLY(SOLVER_PAPER)
 #define VISIBLE ONLY(SOLVER_VISIBLE)
 #define BOND ONLY(SOLVER_BOND)
+#define GALERKIN ONLY(SOLVER_GALERKIN)
 #define WHERE(key, bits) .of = (key), .values = (bits)
 #define PLANE ONLY(2)
 #define BOX ONLY(PDMC_SHAPE_BOX)
@@ -94,7 +95,7 @@
 #define COVARIANCES CHOICES("exponential", "gaussian", "matern")
 #define DISTRIBUTIONS                                                                                                  \
     CHOICES("normal", "lognormal", "weibull", "gumbel", "gamma", "beta", "uniform", "triangular", "empirical")
-#define METHODS CHOICES("kansa", "bond")
+#define METHODS CHOICES("kansa", "bond", "galerkin")
 #define AREAS CHOICES("full", "partial", "exact", "centroid")
 #define MICROMODULI CHOICES("averaged", "at_nodes")
 #define SWITCH CHOICES("off", "on")
@@ -200,19 +201,19 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .flag = offsetof(pdmc_support, held[1]), .fallback = "free", .doc = "prescribed displacement in y"},
 
     {SECTION_SOLVER, "method", KIND_CHOICE, .offset = IN_PROBLEM(solver.method), .choices = METHODS,
-     .planned = CHOICES("galerkin"), .fallback = "kansa", .doc = "collocation, or a grid of nodes and their bonds"},
+     .fallback = "kansa", .doc = "collocation, a grid of nodes and their bonds, or finite elements of bonds that cracks cut exactly"},
     {SECTION_SOLVER, "crack_model", KIND_CHOICE, .offset = IN_PROBLEM(solver.crack_model),
      .choices = CHOICES("analytic", "paper", "visible"), .fallback = "analytic", FOR(ANALYTIC | PAPER | VISIBLE),
      .doc = "analytic fields, the local limit; the recipe of Evangelatos & Spanos, which does not converge; or visible "
             "nodes, bonds of the horizon that cracks cut"},
     {SECTION_SOLVER, "spacing", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(solver.spacing),
-     .derive = pdmc_study_default_spacing, .fallback = "min(width, height) / 20, / 100 of the bond method",
-     .doc = "h of the nodes; unknowns grow as 1/h^2, the cost of the dense collocation as 1/h^6"},
+     .derive = pdmc_study_default_spacing, .fallback = "min(width, height) / 20, / 100 of the bond method, / 80 of finite elements",
+     .doc = "h of the nodes, of finite elements the longest side of a cell; unknowns grow as 1/h^2, the cost of the dense collocation as 1/h^6"},
     {SECTION_SOLVER, "horizon_ratio", KIND_OPTIONAL, .range = FROM_TO(1.0, 100.0),
      .offset = IN_PROBLEM(solver.horizon_ratio), .flag = IN_PROBLEM(solver.has_horizon_ratio), .fallback = "none",
-     FOR(BOND), .doc = "the horizon in spacings, instead of its length"},
+     FOR(BOND | GALERKIN), .doc = "the horizon in spacings, instead of its length"},
     {SECTION_SOLVER, "horizon", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(solver.horizon),
-     .derive = pdmc_study_default_horizon, .fallback = "min(a / 5, width / 50, height / 50), 5 spacing of the bond method",
+     .derive = pdmc_study_default_horizon, .fallback = "min(a / 5, width / 50, height / 50), 5 spacing of the bond method, 4 spacing of finite elements",
      .doc = "length of the longest bond; a: half of the shortest crack"},
     {SECTION_SOLVER, "shape", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(solver.shape),
      .derive = pdmc_study_default_shape, .fallback = "6 spacing, 0.16 spacing of the paper's cracks", FOR(ANALYTIC | PAPER),
@@ -242,8 +243,12 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .fallback = "averaged", FOR(BOND),
      .doc = "a random c(r) of a bond to a cell: averaged over the cell, or at its node"},
     {SECTION_SOLVER, "load_layer", KIND_REAL, UNIT_LENGTH, POSITIVE, IN_PROBLEM(solver.load_layer),
-     .derive = pdmc_study_default_load_layer, .fallback = "spacing", FOR(BOND),
-     .doc = "thickness of the layer of nodes that a traction is spread over"},
+     .derive = pdmc_study_default_load_layer, .fallback = "spacing, of finite elements the horizon", FOR(BOND | GALERKIN),
+     .doc = "thickness of the layer, inside the plate, that a traction is spread over"},
+    {SECTION_SOLVER, "space", KIND_CHOICE, .offset = IN_PROBLEM(solver.space), .choices = SPACES, .fallback = "continuous",
+     FOR(GALERKIN), .doc = "linear triangles, continuous but for cracks; each with values of its own; or so within a horizon of cracks"},
+    {SECTION_SOLVER, "outer_parts", KIND_INT, .range = FROM_TO(1, 8), .offset = IN_PROBLEM(solver.outer_parts),
+     .fallback = "1", FOR(GALERKIN), .doc = "of each side of an element, with seven points of the outer integral in every one"},
 
     {SECTION_DYNAMICS, "density", KIND_REAL, UNIT_MASS_DENSITY, POSITIVE, IN_PROBLEM(dynamics.density),
      .doc = "mass of a unit of volume"},
@@ -380,7 +385,7 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .derive = pdmc_study_default_extension, .fallback = "0.25 energy.horizon",
      .doc = "distance from the tip to the point where bonds cross"},
     {SECTION_ENERGY, "line", KIND_CHOICE, .offset = IN_PROBLEM(energy.line), .choices = LINES, .fallback = "point",
-     FOR(ANALYTIC | PAPER | VISIBLE),
+     FOR(ANALYTIC | PAPER | VISIBLE | GALERKIN),
      .doc = "bonds are counted that cross at the extension, or anywhere up to it, averaged as method = \"bond\" does"},
     {SECTION_ENERGY, "bonds", KIND_CHOICE, .offset = IN_PROBLEM(energy.bonds), .choices = BONDS, .fallback = "all",
      .doc = "whether bonds in compression count"},

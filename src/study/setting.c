@@ -12,7 +12,12 @@ pdmc_study_solver pdmc_study_solver_of(const pdmc_problem *problem)
     static const pdmc_study_solver of_cracks[] = {[PDMC_CRACKS_ANALYTIC] = SOLVER_ANALYTIC,
                                                   [PDMC_CRACKS_PAPER] = SOLVER_PAPER,
                                                   [PDMC_CRACKS_VISIBLE] = SOLVER_VISIBLE};
-    return problem->solver.method == PDMC_METHOD_BOND ? SOLVER_BOND : of_cracks[problem->solver.crack_model];
+    switch (problem->solver.method) {
+    case PDMC_METHOD_KANSA: break;
+    case PDMC_METHOD_BOND: return SOLVER_BOND;
+    case PDMC_METHOD_GALERKIN: return SOLVER_GALERKIN;
+    }
+    return of_cracks[problem->solver.crack_model];
 }
 
 const pdmc_study_setting *pdmc_study_find_setting(pdmc_study_section_id section, const char *key)

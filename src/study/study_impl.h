@@ -137,7 +137,7 @@ typedef enum {
 } pdmc_study_unit;
 
 /// A method, and for the collocation how it treats cracks.
-typedef enum { SOLVER_ANALYTIC, SOLVER_PAPER, SOLVER_VISIBLE, SOLVER_BOND } pdmc_study_solver;
+typedef enum { SOLVER_ANALYTIC, SOLVER_PAPER, SOLVER_VISIBLE, SOLVER_BOND, SOLVER_GALERKIN } pdmc_study_solver;
 
 /// What the base units are called.
 typedef struct {
@@ -160,7 +160,6 @@ typedef struct {
     size_t offset; // in the problem, or in the element of a list; NOT_STORED where there is only one choice so far
     size_t flag;   // of an optional real: the bool that says it is there; of reals: their count
     const char *const *choices; // ended by NULL, in the order of the enum
-    const char *const *planned; // choices that are known, and not available yet; may be NULL
     unsigned quantities;        // the uncertain quantities the key belongs to, as bits; 0 for all
     unsigned solvers;           // the solvers the key belongs to, as bits; 0 for all
     const char *of;             // a choice or an integer of the same group that the key depends on; NULL for none
@@ -289,9 +288,6 @@ pdmc_study_address pdmc_study_address_of(const pdmc_study_record *record, const 
 /// Says what was found and what is allowed; `noun` is "" where the kind is right and only the range is not.
 pdmc_status pdmc_study_refuse_value(const pdmc_study_record *record, const pdmc_study_setting *setting,
                                     const config_setting_t *value, const char *noun);
-/// Of a choice that is to come.
-pdmc_status pdmc_study_refuse_planned(const pdmc_study_record *record, const pdmc_study_setting *setting,
-                                      const config_setting_t *value);
 pdmc_status pdmc_study_refuse_kind(const pdmc_study_record *record, const pdmc_study_setting *setting,
                                    const config_setting_t *value);
 pdmc_status pdmc_study_refuse_missing(const pdmc_study_record *record, const pdmc_study_setting *setting);
@@ -327,6 +323,7 @@ PDMC_NODISCARD pdmc_status pdmc_study_check_solver(const pdmc_study_reader *read
 PDMC_NODISCARD pdmc_status pdmc_study_check_inner_tips(const pdmc_study_reader *reader, const char *instead);
 PDMC_NODISCARD pdmc_status pdmc_study_check_apart(const pdmc_study_reader *reader, const char *instead);
 PDMC_NODISCARD pdmc_status pdmc_study_check_grid(const pdmc_study_reader *reader);
+PDMC_NODISCARD pdmc_status pdmc_study_check_triangles(const pdmc_study_reader *reader);
 PDMC_NODISCARD pdmc_status pdmc_study_check_dynamics(const pdmc_study_reader *reader);
 /// Gives a history that is empty its one point, a factor of 1 from the start.
 PDMC_NODISCARD pdmc_status pdmc_study_check_history(const pdmc_study_reader *reader);

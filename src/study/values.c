@@ -158,7 +158,7 @@ static pdmc_status read_name(const pdmc_study_record *r, const pdmc_study_settin
 
 static int choice_index(const char *const choices[], const char *name)
 {
-    for (int i = 0; choices && choices[i]; i++)
+    for (int i = 0; choices[i]; i++)
         if (strcmp(choices[i], name) == 0) return i;
     return -1;
 }
@@ -168,7 +168,6 @@ static pdmc_status read_choice(const pdmc_study_record *r, const pdmc_study_sett
     if (value && config_setting_type(value) != CONFIG_TYPE_STRING) return pdmc_study_refuse_kind(r, s, value);
     const char *name = value ? config_setting_get_string(value) : s->fallback;
     const int choice = choice_index(s->choices, name);
-    if (choice_index(s->planned, name) >= 0) return pdmc_study_refuse_planned(r, s, value);
     if (choice < 0) return pdmc_study_refuse_value(r, s, value, "");
     store(r, s, &choice, sizeof choice);
     return PDMC_OK;

@@ -148,7 +148,7 @@ static void defaults_out_of_range(void **state)
                  PDMC_ERR_CONFIG);
     assert_string_equal(pdmc_last_error(),
                         "study.cfg:4: solver.spacing: the default, min(width, height) / 20, / 100 of "
-                        "the bond method, is not allowed, must be > 0");
+                        "the bond method, / 80 of finite elements, is not allowed, must be > 0");
 }
 
 static void wrong_words(void **state)
@@ -167,10 +167,8 @@ static void wrong_words(void **state)
          "study.cfg:3: material.assumption: \"plane\" is not allowed, must be \"plane_stress\" or \"plane_strain\""},
         {LINE_LOADS, "loads = ( { side = \"up\"; traction = [0, 1]; } );",
          "study.cfg:5: loads[0].side: \"up\" is not allowed, must be \"left\", \"right\", \"bottom\" or \"top\""},
-        {LINE_SOLVER, "solver = { method = \"galerkin\"; };",
-         "study.cfg:7: solver.method: \"galerkin\" is not available yet, must be \"kansa\" or \"bond\""},
         {LINE_SOLVER, "solver = { method = \"fem\"; };",
-         "study.cfg:7: solver.method: \"fem\" is not allowed, must be \"kansa\" or \"bond\""},
+         "study.cfg:7: solver.method: \"fem\" is not allowed, must be \"kansa\", \"bond\" or \"galerkin\""},
         {LINE_SOLVER, "solver = { crack_model = \"blind\"; };",
          "study.cfg:7: solver.crack_model: \"blind\" is not allowed, must be \"analytic\", \"paper\" or \"visible\""},
         {LINE_CRACKS, line, message},
@@ -286,6 +284,36 @@ static void grids_that_do_not_fit(void **state)
     EXPECT(mistakes);
 }
 
+static void triangles_that_do_not_fit(void **state)
+{
+    (void)state;
+    const mistake mistakes[] = {
+        {LINE_SOLVER, "solver = { method = \"galerkin\"; spacing = 0.3; horizon = 0.2; };",
+         "study.cfg:7: solver.spacing: 0.3 is too large, must be at most 0.2, the horizon"},
+        {LINE_SOLVER, "solver = { method = \"galerkin\"; spacing = 0.01; };",
+         "study.cfg:7: solver.spacing: 0.01 gives 240000 values, must be at most 200000"},
+        {LINE_SOLVER, "solver = { method = \"galerkin\"; spacing = 0.025; space = \"discontinuous\"; };",
+         "study.cfg:7: solver.spacing: 0.025 gives 230400 values, must be at most 200000"},
+        {LINE_SOLVER, "solver = { method = \"galerkin\"; spacing = 0.05; horizon = 0.2; horizon_ratio = 5; };",
+         "study.cfg:7: solver.horizon_ratio: 5 spacings are 0.25, but the horizon is 0.2: give one"},
+        {LINE_SOLVER, "solver = { method = \"galerkin\"; spacing = 0.05; horizon = 2.6; };",
+         "study.cfg:7: solver.horizon: 2.6 is too large, must be at most 2, half of the shorter side"},
+        {LINE_SOLVER, "solver = { method = \"galerkin\"; spacing = 0.05; load_layer = 3; };",
+         "study.cfg:7: solver.load_layer: 3 is too thick, must be at most 2, half of the shorter side"},
+        {LINE_SOLVER, "solver = { method = \"galerkin\"; area = \"full\"; };",
+         "study.cfg:7: solver.area: is no setting of the method \"galerkin\""},
+        {LINE_SOLVER, "solver = { method = \"galerkin\"; }; random = ( { quantity = \"crack_angle\"; location = 0; scale = 1; } );",
+         "study.cfg:7: random[0].quantity: turns a crack, and the elements of method = \"galerkin\" need it parallel to a side"},
+        {LINE_SOLVER, "solver = { method = \"galerkin\"; }; random = ( { quantity = \"stiffness\"; correlation_length = 1; } );",
+         "study.cfg:7: random[0].quantity: \"stiffness\" is not known to method = \"galerkin\" yet, must be with method = "
+         "\"bond\" or crack_model = \"analytic\""},
+        {LINE_CRACKS, "cracks = ( { from = [0, 0]; to = [0.5, 0.1]; } ); solver = { method = \"galerkin\"; };",
+         "study.cfg:4: cracks[0]: \"crack1\" is at an angle to the sides of the plate: that needs method = \"kansa\" or "
+         "\"bond\", or a crack parallel to a side"},
+    };
+    EXPECT(mistakes);
+}
+
 static void cracks_in_wrong_places(void **state)
 {
     (void)state;
@@ -387,6 +415,7 @@ int main(void)
         cmocka_unit_test(random_cracks),
         cmocka_unit_test(settings_of_another_solver),
         cmocka_unit_test(grids_that_do_not_fit),
+        cmocka_unit_test(triangles_that_do_not_fit),
         cmocka_unit_test(cracks_in_wrong_places),
         cmocka_unit_test(sides_loaded_or_held_wrongly),
         cmocka_unit_test(solver_lengths_that_do_not_fit),

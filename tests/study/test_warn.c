@@ -50,6 +50,14 @@ static void the_recipe_that_is_there_for_the_record(void **state)
         "intensity factors are tens to hundreds of percent off\n");
 }
 
+static void triangles_that_are_coarse_at_cracks(void **state)
+{
+    (void)state;
+    expect(LINE_SOLVER, "solver = { method = \"galerkin\"; spacing = 0.05; horizon = 0.1; };",
+           "study.cfg:7: warning: solver.spacing: 0.05 is 0.5 of the horizon: at cracks a third at most is advised\n");
+    expect(LINE_SOLVER, "solver = { method = \"galerkin\"; spacing = 0.03; horizon = 0.09; };", "");
+}
+
 static void energy_lengths_that_do_not_fit(void **state)
 {
     (void)state;
@@ -111,6 +119,7 @@ int main(void)
         cmocka_unit_test(negative_micromoduli),
         cmocka_unit_test(shapes_outside_the_sound_range),
         cmocka_unit_test(the_recipe_that_is_there_for_the_record),
+        cmocka_unit_test(triangles_that_are_coarse_at_cracks),
         cmocka_unit_test(energy_lengths_that_do_not_fit),
         cmocka_unit_test(each_tip_has_its_own_crack),
         cmocka_unit_test(cracks_that_may_not_be),
