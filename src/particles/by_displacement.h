@@ -53,41 +53,50 @@ INLINE double unit_of_micromodulus(const pdmc_forces *f)
     return f->laws->micromodulus;
 }
 
-/// (1 + t)^(-1/2) - 1 from h = t / 2. With an estimate y of the root d = y - 1 is exact, and what is wrong with it is found from
-/// d and h alone: e = (1 + t) y^2 - 1 = d (1 + y) + 2 h y^2, of which a series mends y (1 + e)^(-1/2).
-INLINE lanes inverse_root_less_one(lanes h)
+/// (1 + t)^(-1/2) - 1. With an estimate y of the root d = y - 1 is exact, and what is wrong with it is found from d and t
+/// alone: e = (1 + t) y^2 - 1 = d (1 + y) + t y^2, of which a series mends y (1 + e)^(-1/2).
+INLINE lanes inverse_root_less_one(lanes t)
 {
-    const lanes one = lanes_of(1.0), a_half = lanes_of(0.5), least = lanes_of(1e-6); // rounding can make 1 + t negative
-    const lanes y = estimate_inverse_root(greatest(multiply_add(lanes_of(2.0), h, one), least));
+    const lanes one = lanes_of(1.0), least = lanes_of(1e-6); // rounding can make 1 + t negative
+    const lanes y = estimate_inverse_root(greatest(add(one, t), least));
     const lanes d = subtract(y, one);
-    const lanes half = multiply_add(d, multiply_add(a_half, y, a_half), multiply(h, multiply(y, y)));
-    return subtract_product(d, multiply(y, half), mending_series(half));
+    const lanes e = multiply_add(d, add(one, y), multiply(t, multiply(y, y)));
+    return subtract_product(d, multiply(y, e), mending_series(e));
 }
 
 /// 1 / sqrt(a)
 INLINE lanes inverse_root(lanes a)
 {
-    const lanes y = estimate_inverse_root(a), minus = lanes_of(-0.5);
-    const lanes half = multiply_add(multiply(lanes_of(0.5), multiply(a, y)), y, minus);
-    return subtract_product(y, multiply(y, half), mending_series(half));
+    const lanes y = estimate_inverse_root(a);
+    const lanes e = multiply_add(multiply(a, y), y, lanes_of(-1.0));
+    return subtract_product(y, multiply(y, e), mending_series(e));
+}
+
+/// (2 xi + eta) . eta / |xi|^2
+INLINE lanes relative_square(const place *at, const pairs *p, const lanes eta[PDMC_AXES])
+{
+    const bool scattered = at->kind.scattered;
+    const lanes inverse_square =
+        scattered ? multiply(p->inverse_length, p->inverse_length) : lanes_of(p->neighbour->inverse_square);
+    lanes t = lanes_of(0.0);
+    for (int a = 0; a < PDMC_AXES; a++) {
+        const lanes twice = scattered ? add(p->slope[a], p->slope[a]) : lanes_of(p->neighbour->twice_slope[a]);
+        const lanes along = multiply_add(eta[a], inverse_square, twice);
+        t = a == 0 ? multiply(eta[a], along) : multiply_add(eta[a], along, t);
+    }
+    return t;
 }
 
 INLINE void measure(const place *at, pairs *p)
 {
-    const bool scattered = at->kind.scattered;
-    const lanes half = scattered ? multiply(lanes_of(0.5), multiply(p->inverse_length, p->inverse_length))
-                                 : lanes_of(p->neighbour->half_inverse_square);
-    lanes h = lanes_of(0.0);
+    lanes eta[PDMC_AXES];
     p->stretch = lanes_of(0.0);
     for (int a = 0; a < PDMC_AXES; a++) {
-        const lanes eta = subtract(of_neighbours(at, places_of(at->forces)[a], p->cell), at->place[a]);
-        const lanes xi = scattered ? p->xi[a] : lanes_of(p->neighbour->step[a]);
-        p->apart[a] = add(xi, eta);
-        h = a == 0 ? multiply(eta, multiply_add(eta, half, p->slope[a]))
-                   : multiply_add(eta, multiply_add(eta, half, p->slope[a]), h);
-        if (at->kind.linear) p->stretch = multiply_add(p->slope[a], eta, p->stretch);
+        eta[a] = subtract(of_neighbours(at, places_of(at->forces)[a], p->cell), at->place[a]);
+        p->apart[a] = add(at->kind.scattered ? p->xi[a] : lanes_of(p->neighbour->step[a]), eta[a]);
+        if (at->kind.linear) p->stretch = multiply_add(p->slope[a], eta[a], p->stretch);
     }
-    p->nearness = inverse_root_less_one(h);
+    p->nearness = inverse_root_less_one(relative_square(at, p, eta));
 }
 
 INLINE lanes inverse_distance(const pairs *p)

@@ -23,7 +23,8 @@ pdmc_status pdmc_contact_create(const pdmc_particles_options *options, const pdm
         PDMC_NEW(contact->found[a], g->node_count);
         PDMC_NEW(contact->moved[a], g->node_count);
     }
-    for (size_t c = 0; c < g->cells; c++) contact->built[0][c] = INFINITY; // nothing was found yet
+    for (size_t c = 0; c < g->cells; c++) contact->built[0][c] = INFINITY;
+    contact->way = INFINITY; // nothing was found yet
     PDMC_TRY(pdmc_bins_create(g->node_count, &contact->bins));
     PDMC_NEW(contact->range, 2 * PDMC_AXES * (size_t)contact->bins.most);
 done:
@@ -46,7 +47,7 @@ void pdmc_contact_clear(pdmc_contact *contact)
     *contact = (pdmc_contact){0};
 }
 
-/// The largest squared distance that nodes of a block have moved since the pairs were found.
+/// The largest squared distance that nodes of a block have moved since the pairs were found; infinite where it is no number.
 static double farthest(const pdmc_contact *contact, const pdmc_block *block, double *const position[])
 {
     double square[PDMC_LANES] = {0.0}, most = 0.0;
@@ -56,17 +57,34 @@ static double farthest(const pdmc_contact *contact, const pdmc_block *block, dou
     }
     for (int k = 0; k < PDMC_LANES; k++)
         if (block->nodes >> k & 1) most = square[k] <= most ? most : square[k];
-    return most;
+    return isnan(most) ? INFINITY : most;
 }
 
-/// Whether a node has moved by more than half of the skin since the pairs were found.
-static bool has_moved(const pdmc_contact *contact, const pdmc_nodes *g, double *const position[], int threads)
+static double find_way(const pdmc_contact *contact, const pdmc_nodes *g, double *const position[], int threads)
 {
-    const double allowed = 0.25 * contact->skin * contact->skin;
-    int moved = 0; // whichever thread sees it, and however often
-#pragma omp parallel for num_threads(threads) schedule(static) reduction(| : moved)
-    for (int b = 0; b < g->block_count; b++) moved |= !(farthest(contact, &g->blocks[b], position) <= allowed);
-    return moved != 0;
+    double most = 0.0; // of whichever node, so that the order is all the same
+#pragma omp parallel for num_threads(threads) schedule(static) reduction(max : most)
+    for (int b = 0; b < g->block_count; b++) {
+        const double square = farthest(contact, &g->blocks[b], position);
+        most = square > most ? square : most;
+    }
+    return sqrt(most);
+}
+
+/// Whether a node has moved by more than half of the skin since the pairs were found. It is looked at only where what was told
+/// of the way since then does not say it.
+static bool has_moved(pdmc_contact *contact, const pdmc_nodes *g, double *const position[], int threads)
+{
+    const double allowed = 0.5 * contact->skin;
+    if (contact->way <= allowed) return false;
+    contact->way = find_way(contact, g, position, threads);
+    return contact->way > allowed;
+}
+
+void pdmc_contact_pass(pdmc_contact *contact, double distance)
+{
+    const double margin = 1.0 + 1e-9; // of rounding
+    contact->way += margin * distance;
 }
 
 static void remember(pdmc_contact *contact, const pdmc_nodes *g, double *const position[], int threads)
@@ -180,6 +198,7 @@ pdmc_status pdmc_contact_update(pdmc_contact *contact, const pdmc_nodes *g, doub
     if (contact->distance == 0.0 || !has_moved(contact, g, position, threads)) return PDMC_OK;
     pdmc_bins *bins = &contact->bins;
     remember(contact, g, position, threads);
+    contact->way = 0.0;
     pdmc_bins_fill(bins, contact->found, contact->distance + contact->skin);
     const int total = bins->count[0] * bins->count[1] * bins->count[2];
     for (int b = 0; b < total; b++) find_range(contact, b);

@@ -21,12 +21,16 @@ typedef struct {
     size_t *start; // [nodes + 1] of the listed nodes' partners
     size_t room;
     int *partner; // [room] nodes
+    double way;   // by more than which no node has moved since the pairs were found
 } pdmc_contact;
 
 /// @param[out] contact  clear with pdmc_contact_clear(), whatever is returned
 PDMC_NODISCARD pdmc_status pdmc_contact_create(const pdmc_particles_options *options, const pdmc_nodes *nodes,
                                                double repulsion, pdmc_contact *contact);
 void pdmc_contact_clear(pdmc_contact *contact);
+
+/// Tells that no node has moved by more than a distance since this or the last update was told of; INFINITY: it is not known.
+void pdmc_contact_pass(pdmc_contact *contact, double distance);
 
 /// Finds the pairs anew where a node has moved too far.
 /// @param[in] position  [cells] of every axis

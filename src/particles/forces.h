@@ -35,6 +35,11 @@ typedef struct {
     double *elastic, *contact; // [blocks]
 } pdmc_forces;
 
+/// Nodes, as bits, of which a bond is to break, or whose neighbours are near enough to touch.
+typedef struct {
+    uint16_t breaking, touching;
+} pdmc_alarms;
+
 /// Computes the forces of blocks first .. last - 1, and breaks the bonds that are stretched beyond s_0: from the next step on.
 typedef void pdmc_forces_kernel(const pdmc_forces *forces, int first, int last);
 
@@ -42,6 +47,14 @@ pdmc_forces_kernel pdmc_forces_portable, pdmc_forces_portable_single;
 #ifdef PDMC_HAVE_X86
 pdmc_forces_kernel pdmc_forces_avx2, pdmc_forces_avx2_single;
 pdmc_forces_kernel pdmc_forces_avx512, pdmc_forces_avx512_single;
+#endif
+
+/// The forces of blocks b and b + 1 in one, where they lie side by side on a grid and have the same neighbours and law, and what is
+/// left to do. Of kinds of bonds that are neither linear nor joined.
+typedef pdmc_alarms pdmc_forces_of_two(const pdmc_forces *forces, int b, bool by_node, bool varied);
+
+#ifdef PDMC_HAVE_X86
+pdmc_forces_of_two pdmc_forces_avx512_single_two;
 #endif
 
 /// The kernels of a kind of processor.

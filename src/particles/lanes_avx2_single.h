@@ -15,10 +15,11 @@ static inline lanes estimate_inverse_root(lanes a)
 {
     return _mm256_rsqrt_ps(a);
 }
-/// ((1 + 2 half)^(-1/2) - 1) / -half for half < 2^-11: what is left out is 2^-41.
-static inline lanes mending_series(lanes half)
+/// (1 - (1 + e)^(-1/2)) / e for |e| < 2^-10: what is left out is 2^-41.
+static inline lanes mending_series(lanes e)
 {
-    return subtract_product(lanes_of(1.0), subtract_product(lanes_of(1.5), lanes_of(2.5), half), half);
+    const lanes second = subtract_product(lanes_of(3.0 / 8.0), lanes_of(5.0 / 16.0), e);
+    return subtract_product(lanes_of(0.5), second, e);
 }
 
 static inline __m256i mask_of(unsigned bits)

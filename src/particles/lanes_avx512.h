@@ -6,6 +6,9 @@
 #include "particles/hash_avx2.h"
 
 typedef double real;
+typedef uint8_t lane_mask;
+enum { BLOCKS = 1 };
+
 typedef __m512d lanes;
 
 static inline lanes lanes_of(double x)

@@ -15,10 +15,10 @@ static inline lanes estimate_inverse_root(lanes a)
 {
     return _mm256_rsqrt14_ps(a);
 }
-/// ((1 + 2 half)^(-1/2) - 1) / -half for half < 2^-14: what is left out is 2^-40.
-static inline lanes mending_series(lanes half)
+/// (1 - (1 + e)^(-1/2)) / e for |e| < 2^-13: what is left out is 2^-40.
+static inline lanes mending_series(lanes e)
 {
-    return subtract_product(lanes_of(1.0), lanes_of(1.5), half);
+    return subtract_product(lanes_of(0.5), lanes_of(3.0 / 8.0), e);
 }
 
 static inline lanes multiply_add_where(uint8_t mask, lanes a, lanes b, lanes c)

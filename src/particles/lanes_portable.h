@@ -10,6 +10,9 @@
 #include <string.h>
 
 typedef double real;
+typedef uint8_t lane_mask;
+enum { BLOCKS = 1 };
+
 typedef double duo __attribute__((vector_size(16)));
 typedef int64_t duo_mask __attribute__((vector_size(16))); // all bits or none
 

@@ -9,6 +9,9 @@
 #include <string.h>
 
 typedef float real;
+typedef uint8_t lane_mask;
+enum { BLOCKS = 1 };
+
 typedef float quartet __attribute__((vector_size(16)));
 typedef int32_t quartet_mask __attribute__((vector_size(16))); // all bits or none
 
@@ -92,11 +95,11 @@ static inline lanes estimate_inverse_root(lanes a)
 {
     return (lanes){inverse_roots(a.low), inverse_roots(a.high)};
 }
-/// ((1 + 2 half)^(-1/2) - 1) / -half for half < 2^-22: what is left out is 2^-43.
-static inline lanes mending_series(lanes half)
+/// (1 - (1 + e)^(-1/2)) / e for |e| < 2^-22: what is left out is 2^-45.
+static inline lanes mending_series(lanes e)
 {
-    (void)half;
-    return lanes_of(1.0);
+    (void)e;
+    return lanes_of(0.5);
 }
 static inline uint32_t drawn(const pdmc_hash_key *key, uint32_t i, uint32_t j)
 {

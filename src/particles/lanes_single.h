@@ -6,6 +6,9 @@
 #include "particles/hash_avx2.h"
 
 typedef float real;
+typedef uint8_t lane_mask;
+enum { BLOCKS = 1 };
+
 typedef __m256 lanes;
 
 static inline lanes lanes_of(double x)

@@ -5,16 +5,19 @@
 
 #include <math.h>
 
+enum { PASS = 64 }; // blocks that one thread takes at a time: few enough for the threads to end together
+
+/// The end of a pass that begins at a block.
+static int end_of(const pdmc_particles *p, int block)
+{
+    return block + PASS < p->nodes.block_count ? block + PASS : p->nodes.block_count;
+}
+
 /// Calls the kernel for shares of the blocks that have about as many bonds.
 static void run_kernel(const pdmc_particles *p, pdmc_forces_kernel *kernel, const pdmc_forces *forces)
 {
-    enum { CHUNK = 64 }; // blocks: small enough for the threads to end together
-    const int chunks = (p->nodes.block_count + CHUNK - 1) / CHUNK;
 #pragma omp parallel for num_threads(p->threads) schedule(dynamic)
-    for (int c = 0; c < chunks; c++) {
-        const int last = CHUNK * (c + 1) < p->nodes.block_count ? CHUNK * (c + 1) : p->nodes.block_count;
-        kernel(forces, CHUNK * c, last);
-    }
+    for (int b = 0; b < p->nodes.block_count; b += PASS) kernel(forces, b, end_of(p, b));
 }
 
 static pdmc_forces forces_of(const pdmc_particles *p)
@@ -58,13 +61,6 @@ static void meet_spheres(pdmc_particles *p)
                                                &p->sphere_force[PDMC_AXES * s]);
 }
 
-static void follow(pdmc_particles *p)
-{
-#pragma omp parallel for num_threads(p->threads) schedule(static)
-    for (int b = 0; b < p->nodes.block_count; b++)
-        pdmc_single_follow(&p->single, &p->nodes, &p->nodes.blocks[b], p->position);
-}
-
 static void strengthen(pdmc_particles *p)
 {
     double *strength = p->strength;
@@ -76,7 +72,6 @@ void pdmc_particles_find_bond_forces(pdmc_particles *p, bool unbreakable)
 {
     pdmc_forces forces = forces_of(p);
     forces.unbreakable = unbreakable;
-    if (p->is_single) follow(p);
     run_kernel(p, p->is_single ? p->kernels.in_single : p->kernels.in_double, &forces);
     if (p->is_single) pdmc_single_strengthen(&p->single);
     else strengthen(p);
@@ -98,13 +93,22 @@ static void add_to(const pdmc_block *block, double factor, const double x[], dou
         if (alone || block->nodes >> k & 1) y[k] += factor * x[k];
 }
 
+PDMC_VECTORS("avx2", "avx512f")
+static void move_blocks(pdmc_particles *p, int first, int last, double step)
+{
+    for (int b = first; b < last; b++) {
+        const pdmc_block *block = &p->nodes.blocks[b];
+        for (int a = 0; a < PDMC_AXES; a++)
+            add_to(block, step, &p->velocity[a][block->cell], &p->position[a][block->cell]);
+        if (p->is_single) pdmc_single_follow(&p->single, &p->nodes, block, p->position);
+    }
+}
+
 static void move(pdmc_particles *p, double step)
 {
-    const pdmc_nodes *g = &p->nodes;
 #pragma omp parallel for num_threads(p->threads) schedule(static)
-    for (int b = 0; b < g->block_count; b++)
-        for (int a = 0; a < PDMC_AXES; a++)
-            add_to(&g->blocks[b], step, &p->velocity[a][g->blocks[b].cell], &p->position[a][g->blocks[b].cell]);
+    for (int b = 0; b < p->nodes.block_count; b += PASS) move_blocks(p, b, end_of(p, b), step);
+    pdmc_contact_pass(&p->contact, sqrt((double)PDMC_AXES) * p->fastest * step);
     for (int s = 0; s < p->sphere_count; s++)
         for (int a = 0; a < PDMC_AXES; a++) p->spheres[s].centre[a] += step * p->spheres[s].velocity[a];
 }
@@ -115,21 +119,37 @@ static bool is_lost(const pdmc_particles *p, double velocity)
     return !(fabs(velocity) * p->step <= p->nodes.reach);
 }
 
-/// @return whether no node is lost
-static bool accelerate(pdmc_particles *p, double step)
+/// @return the largest velocity along any axis, infinite where a node is lost
+PDMC_VECTORS("avx2", "avx512f")
+static double accelerate_blocks(pdmc_particles *p, int first, int last, double step)
 {
-    const pdmc_nodes *g = &p->nodes;
-    int lost = 0; // whichever thread sees it, and however often
-#pragma omp parallel for num_threads(p->threads) schedule(static) reduction(| : lost)
-    for (int b = 0; b < g->block_count; b++) {
-        const pdmc_block *block = &g->blocks[b];
+    double fastest[PDMC_LANES] = {0.0}, of_all = 0.0;
+    for (int b = first; b < last; b++) {
+        const pdmc_block *block = &p->nodes.blocks[b];
         for (int a = 0; a < PDMC_AXES; a++) {
             double *velocity = &p->velocity[a][block->cell];
             add_to(block, step / p->density[block->material], &p->force[a][block->cell], velocity);
-            for (int k = 0; k < PDMC_LANES; k++) lost |= is_lost(p, velocity[k]);
+            for (int k = 0; k < PDMC_LANES; k++) {
+                const double speed = is_lost(p, velocity[k]) ? INFINITY : fabs(velocity[k]);
+                fastest[k] = speed > fastest[k] ? speed : fastest[k];
+            }
         }
     }
-    return lost == 0;
+    for (int k = 0; k < PDMC_LANES; k++) of_all = fastest[k] > of_all ? fastest[k] : of_all;
+    return of_all;
+}
+
+/// @return whether no node is lost
+static bool accelerate(pdmc_particles *p, double step)
+{
+    double fastest = 0.0; // of whichever node, so that the order is all the same
+#pragma omp parallel for num_threads(p->threads) schedule(static) reduction(max : fastest)
+    for (int b = 0; b < p->nodes.block_count; b += PASS) {
+        const double of_pass = accelerate_blocks(p, b, end_of(p, b), step);
+        fastest = of_pass > fastest ? of_pass : fastest;
+    }
+    p->fastest = fastest;
+    return isfinite(fastest);
 }
 
 static void accelerate_spheres(pdmc_particles *p, double step)

@@ -34,7 +34,7 @@ typedef struct {
 typedef struct {
     size_t cell;                  // of the neighbour; of the first of eight on a grid
     const neighbour *neighbour;   // on a grid only
-    uint8_t near;                 // which of them are neighbours
+    lane_mask near;               // which of them are neighbours
     lanes xi[PDMC_AXES];          // of nodes off the grid only
     lanes length, inverse_length; // |xi|; the inverse of nodes off the grid only
     lanes weight;                 // volume of the neighbour that counts

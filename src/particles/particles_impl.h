@@ -36,6 +36,7 @@ struct pdmc_particles {
     double *sphere_force;       // [spheres, 3] of the nodes
     double *sphere_energy;      // [spheres]
     double stable_step, step, first;
+    double fastest; // velocity of any node along any axis, after the last acceleration
     double work, work_after; // until half a step after the time; what is after the time of it
     uint8_t *held;           // [cells] axes along which a node's motion is prescribed, as bits
     int steps;

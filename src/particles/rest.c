@@ -54,6 +54,7 @@ static void place(pdmc_particles *p, const double x[])
     const int dimension = p->nodes.dimension;
     for (int k = 0; k < p->nodes.node_count; k++)
         for (int a = 0; a < dimension; a++) p->position[a][p->nodes.cell[k]] = x[k * dimension + a];
+    pdmc_contact_pass(&p->contact, INFINITY);
 }
 
 static pdmc_status find_masses(resting *r, const double x[])

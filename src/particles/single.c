@@ -15,11 +15,12 @@ static pdmc_single_neighbour in_single(const pdmc_neighbour *n, double length_un
                                     .weight = (float)weight,
                                     .length = (float)length,
                                     .minus_stiffness = (float)(-weight / length),
-                                    .half_inverse_square = (float)(0.5 / (length * length)),
+                                    .inverse_square = (float)(1.0 / (length * length)),
                                     .touching = (float)(n->touching * length_unit)};
     for (int a = 0; a < PDMC_AXES; a++) {
         single.step[a] = (float)n->step[a];
         single.slope[a] = (float)(n->step[a] / (length * length));
+        single.twice_slope[a] = 2.0f * single.slope[a];
     }
     return single;
 }
@@ -86,18 +87,6 @@ void pdmc_single_clear(pdmc_single *s)
     pdmc_free(s->strength);
     pdmc_free(s->next_strength);
     *s = (pdmc_single){0};
-}
-
-void pdmc_single_follow(pdmc_single *s, const pdmc_nodes *g, const pdmc_block *block, double *const position[PDMC_AXES])
-{
-    const double per_unit = 1.0 / s->length;
-    const bool full = block->occupied == 0xff;
-    for (int a = 0; a < PDMC_AXES; a++) {
-        const double *x = &position[a][block->cell], *first = &g->reference[a][block->cell];
-        float *u = &s->displacement[a][block->cell];
-        for (int k = 0; k < PDMC_LANES; k++)
-            if (full || block->occupied >> k & 1) u[k] = (float)((x[k] - first[k]) * per_unit);
-    }
 }
 
 void pdmc_single_strengthen(pdmc_single *s)

@@ -9,12 +9,13 @@
 /// A neighbour on a grid, as pdmc_neighbour.
 typedef struct {
     ptrdiff_t shift;
-    float step[PDMC_AXES];     // xi
-    float weight, length;      // ...
-    float minus_stiffness;     // - weight / |xi|
-    float half_inverse_square; // 1 / (2 |xi|^2)
-    float slope[PDMC_AXES];    // xi / |xi|^2
-    float touching;            // 1 / distance; infinite: never
+    float step[PDMC_AXES]; // xi
+    float weight, length;  // ...
+    float minus_stiffness; // - weight / |xi|
+    float inverse_square;  // 1 / |xi|^2
+    float twice_slope[PDMC_AXES];
+    float slope[PDMC_AXES]; // xi / |xi|^2
+    float touching;         // 1 / distance; infinite: never
 } pdmc_single_neighbour;
 
 typedef struct {
@@ -35,8 +36,18 @@ PDMC_NODISCARD pdmc_status pdmc_single_create(const pdmc_nodes *nodes, const dou
 void pdmc_single_clear(pdmc_single *single);
 
 /// Takes the displacements of a block's nodes from their positions.
-void pdmc_single_follow(pdmc_single *single, const pdmc_nodes *nodes, const pdmc_block *block,
-                        double *const position[PDMC_AXES]);
+static inline void pdmc_single_follow(pdmc_single *single, const pdmc_nodes *nodes, const pdmc_block *block,
+                                      double *const position[PDMC_AXES])
+{
+    const double per_unit = 1.0 / single->length;
+    const bool full = block->occupied == 0xff;
+    for (int a = 0; a < PDMC_AXES; a++) {
+        const double *x = &position[a][block->cell], *first = &nodes->reference[a][block->cell];
+        float *u = &single->displacement[a][block->cell];
+        for (int k = 0; k < PDMC_LANES; k++)
+            if (full || block->occupied >> k & 1) u[k] = (float)((x[k] - first[k]) * per_unit);
+    }
+}
 
 /// What the kernel found for the next step becomes the nodes' s_0.
 void pdmc_single_strengthen(pdmc_single *single);

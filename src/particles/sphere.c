@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/sphere.h"
 
+#include "base/base_impl.h"
+
 #include <math.h>
 #include <string.h>
 
 enum { SHARE = PDMC_AXES + 1 }; // of a block: the force on the sphere, and the energy
+enum { PASS = 64 };             // blocks that one thread takes at a time
 
 static void push_node(const pdmc_rigid_sphere *sphere, const double volume[], double *const position[], size_t c,
                       double *const force[], double share[])
@@ -37,18 +40,25 @@ static unsigned inside(const pdmc_rigid_sphere *sphere, double *const position[]
     return bits & block->nodes;
 }
 
+PDMC_VECTORS("avx2", "avx512f")
+static void push_blocks(const pdmc_rigid_sphere *sphere, const pdmc_nodes *g, int first, int last,
+                        double *const position[PDMC_AXES], double *const force[PDMC_AXES], double reaction[])
+{
+    memset(&reaction[SHARE * (size_t)first], 0, SHARE * (size_t)(last - first) * sizeof *reaction);
+    for (int b = first; b < last; b++)
+        for (unsigned left = inside(sphere, position, &g->blocks[b]); left; left &= left - 1)
+            push_node(sphere, g->volume, position, g->blocks[b].cell + (size_t)__builtin_ctz(left), force,
+                      &reaction[SHARE * (size_t)b]);
+}
+
 double pdmc_sphere_push(const pdmc_rigid_sphere *sphere, const pdmc_nodes *g, double *const position[PDMC_AXES],
                         int threads, double *const force[PDMC_AXES], double reaction[], double total[PDMC_AXES])
 {
     double energy = 0.0;
     memset(total, 0, PDMC_AXES * sizeof *total);
 #pragma omp parallel for num_threads(threads) schedule(static)
-    for (int b = 0; b < g->block_count; b++) {
-        double *share = &reaction[SHARE * (size_t)b];
-        memset(share, 0, SHARE * sizeof *share);
-        for (unsigned left = inside(sphere, position, &g->blocks[b]); left; left &= left - 1)
-            push_node(sphere, g->volume, position, g->blocks[b].cell + (size_t)__builtin_ctz(left), force, share);
-    }
+    for (int b = 0; b < g->block_count; b += PASS)
+        push_blocks(sphere, g, b, b + PASS < g->block_count ? b + PASS : g->block_count, position, force, reaction);
     for (int b = 0; b < g->block_count; b++) {
         const double *share = &reaction[SHARE * (size_t)b];
         for (int a = 0; a < PDMC_AXES; a++) total[a] += share[a];

@@ -24,7 +24,8 @@ static void place(pdmc_particles *p, double A[3][3], const double b[3])
             for (int j = 0; j < 3; j++) p->position[i][c] += A[i][j] * p->nodes.reference[j][c];
         }
     }
-    pdmc_particles_find_bond_forces(p, true);
+    for (int k = 0; k < p->nodes.block_count; k++)
+        pdmc_single_follow(&p->single, &p->nodes, &p->nodes.blocks[k], p->position);
 }
 
 static double largest_force(const pdmc_particles *p, pdmc_precision precision)
