@@ -166,6 +166,7 @@ typedef struct {
 
 typedef struct {
     char name[PDMC_LONG_NAME_SIZE];
+    int kind; // pdmc_condition_kind
 } pdmc_condition_record;
 
 typedef struct {
@@ -419,6 +420,11 @@ PDMC_API pdmc_tip_growth pdmc_results_growth(const pdmc_explicit_record *record,
 /// The record at which the force of a condition is largest, by its norm; 0 without records. @param[out] force  that norm, or
 /// NULL
 PDMC_API int pdmc_results_largest_force(const pdmc_explicit_record *record, int condition, double *force);
+
+/// A bound of the force of a condition whose displacement is prescribed, between the loads too: the largest of F_i u_(i+1) / u_i.
+/// Bonds that break make a body softer, so that from the state of rest i on the force is below the straight line through the
+/// origin; of small displacements in proportion to one another. NaN of other conditions, and of one that does not move.
+PDMC_API double pdmc_results_force_between(const pdmc_explicit_record *record, int condition);
 
 /// What a number of the results is measured in, and so what its unit is made of.
 typedef enum {

@@ -9,6 +9,7 @@
 #define SPHERE_FORCE EXPLICIT "spheres/force"
 #define INTERFACES EXPLICIT "interfaces/"
 #define GENERATOR "mesh_generator"
+#define CONDITION_KIND "conditions/kind"
 #define SAMPLE_FORCE REST "samples/largest_force"
 #define SCALAR "/scalar/" // ... and scalar ones
 #define ELASTIC "/elastic/" // ... and elastic ones
@@ -204,6 +205,8 @@ const pdmc_dataset pdmc_datasets[] = {
           PDMC_DIM_AXIS),
     OF_LIST("conditions/name", NAME, conditions, pdmc_condition_record, name, NONE, "condition", 1, PDMC_DIM_CONDITION,
             PDMC_DIM_END),
+    OF_LIST(CONDITION_KIND, INT, conditions, pdmc_condition_record, kind, NONE,
+            "what is prescribed: 0 a velocity, 1 a force, 2 a displacement", 1, PDMC_DIM_CONDITION, PDMC_DIM_END),
     REALS(EXPLICIT "conditions/force", particles.condition_force, FORCE, "the whole force on its nodes", PDMC_DIM_RECORD,
           PDMC_DIM_CONDITION, PDMC_DIM_AXIS),
     REALS(EXPLICIT "conditions/displacement", particles.condition_displacement, LENGTH, "mean of its nodes",
@@ -613,7 +616,7 @@ bool pdmc_attribute_belongs(const pdmc_results *results, const pdmc_attribute *a
 bool pdmc_dataset_may_be_missing(const pdmc_dataset *dataset)
 {
     // What files of earlier versions do not hold.
-    static const char *const later[] = {PEAK_MEMORY, ACCURACY, FRACTURE_ENERGY, SOLVER, LARGEST, GIVEN_REST, SPHERE_FORCE, SAMPLE_FORCE, CONDITIONAL, REPLICATES, CONTROL, RELIABILITY, FORCE_ERROR,
+    static const char *const later[] = {PEAK_MEMORY, ACCURACY, FRACTURE_ENERGY, SOLVER, LARGEST, GIVEN_REST, SPHERE_FORCE, SAMPLE_FORCE, EXPLICIT CONDITION_KIND, CONDITIONAL, REPLICATES, CONTROL, RELIABILITY, FORCE_ERROR,
                                         INTERFACES};
     for (size_t i = 0; i < COUNT(later); i++)
         if (strncmp(dataset->path, later[i], strlen(later[i])) == 0) return true;

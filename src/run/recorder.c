@@ -104,9 +104,11 @@ static pdmc_status prepare_conditions(pdmc_recorder *r)
     PDMC_NEW(record->conditions, record->condition_count);
     PDMC_NEW(record->condition_force, values);
     PDMC_NEW(record->condition_displacement, values);
-    for (int c = 0; c < record->condition_count; c++)
+    for (int c = 0; c < record->condition_count; c++) {
         memcpy(record->conditions[c].name, r->study->conditions[c].layer.name,
                sizeof r->study->conditions[c].layer.name);
+        record->conditions[c].kind = (int)r->study->conditions[c].layer.kind;
+    }
 done:
     return status;
 }

@@ -88,6 +88,7 @@ static json_t *condition(const pdmc_explicit_record *p, int c)
         double largest;
         const int at = pdmc_results_largest_force(p, c, &largest);
         pdmc_json_put(&object, "largest_force", pdmc_json_number(largest));
+        pdmc_json_put(&object, "largest_force_between_loads", pdmc_json_number(pdmc_results_force_between(p, c)));
         pdmc_json_put(&object, "displacement_at_largest_force",
                       pdmc_json_number(pdmc_norm_of(pdmc_of_condition(p, p->condition_displacement, at, c))));
     }

@@ -119,6 +119,20 @@ static void print_spheres(const pdmc_results *r, int last, FILE *stream)
     }
 }
 
+static void print_largest_force(const pdmc_explicit_record *p, int c, FILE *stream)
+{
+    char n[4][PDMC_BRIEF_SIZE], text[PDMC_LINE_SIZE];
+    double force;
+    const int at = pdmc_results_largest_force(p, c, &force);
+    const double between = pdmc_results_force_between(p, c);
+    fprintf(stream, "  %-15.15s largest force %s at the displacement %s, load %s",
+            pdmc_one_line(text, p->conditions[c].name), pdmc_brief(n[0], force),
+            pdmc_brief(n[1], pdmc_norm_of(pdmc_of_condition(p, p->condition_displacement, at, c))),
+            pdmc_brief(n[2], p->time[at]));
+    if (between > force * (1.0 + 1e-6)) fprintf(stream, "; between loads up to %s", pdmc_brief(n[3], between));
+    fputc('\n', stream);
+}
+
 static void print_conditions(const pdmc_results *r, int last, FILE *stream)
 {
     const pdmc_explicit_record *p = &r->particles;
@@ -133,15 +147,7 @@ static void print_conditions(const pdmc_results *r, int last, FILE *stream)
                 pdmc_brief(n[0], f[0]), pdmc_brief(n[1], f[1]), pdmc_brief(n[2], f[2]), pdmc_brief(n[3], u[0]),
                 pdmc_brief(n[4], u[1]), pdmc_brief(n[5], u[2]));
     }
-    for (int c = 0; c < p->condition_count && pdmc_is_at_rest(p); c++) {
-        double force;
-        const int at = pdmc_results_largest_force(p, c, &force);
-        fprintf(stream, "  %-15.15s largest force %s at the displacement %s, load %s\n",
-                pdmc_one_line(text[0], p->conditions[c].name),
-                pdmc_brief(n[0], force),
-                pdmc_brief(n[1], pdmc_norm_of(pdmc_of_condition(p, p->condition_displacement, at, c))),
-                pdmc_brief(n[2], p->time[at]));
-    }
+    for (int c = 0; c < p->condition_count && pdmc_is_at_rest(p); c++) print_largest_force(p, c, stream);
 }
 
 static void print_interfaces(const pdmc_explicit_record *p, int last, FILE *stream)

@@ -282,6 +282,29 @@ static void loads_are_shown(void **state)
     pdmc_results_clear(&r);
 }
 
+/// F_i u_(i+1) / u_i is 2, 3, 2 of the first three, and the last one's force is 1.6: of a displacement, not of a force.
+static void the_force_between_loads(void **state)
+{
+    (void)state;
+    pdmc_results r = made_up_loads();
+    pdmc_explicit_record *p = &r.particles;
+    const double force[] = {1.0, 2.0, 1.5, 1.6};
+    p->record_count = 4;
+    for (int i = 0; i < 4; i++)
+        for (int a = 0; a < 3; a++) {
+            p->condition_force[6 * i + 3 + a] = a == 1 ? -force[i] : 0.0;
+            p->condition_displacement[6 * i + 3 + a] = a == 1 ? 0.5 * (i + 1.0) : 0.0;
+        }
+    assert_true(isnan(pdmc_results_force_between(p, 1)));
+    p->conditions[1].kind = PDMC_CONDITION_DISPLACEMENT;
+    CHECK_NEAR(pdmc_results_force_between(p, 1), 3.0, 1e-15);
+    double largest;
+    assert_int_equal(pdmc_results_largest_force(p, 1, &largest), 1);
+    CHECK_NEAR(largest, 2.0, 0.0);
+    p->record_count = 21;
+    pdmc_results_clear(&r);
+}
+
 static void csv_and_pictures_of_loads(void **state)
 {
     (void)state;
@@ -368,6 +391,7 @@ int main(void)
         cmocka_unit_test(samples_are_in_every_view),
         cmocka_unit_test(it_is_not_compared),
         cmocka_unit_test(loads_are_shown),
+        cmocka_unit_test(the_force_between_loads),
         cmocka_unit_test(csv_and_pictures_of_loads),
         cmocka_unit_test(largest_forces_are_in_every_view),
     };
