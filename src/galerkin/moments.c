@@ -62,25 +62,26 @@ static double gauss_along(double power, double h, double from, double to)
     return pow(h, 1.0 - power) * half * sum;
 }
 
-// asinh(to / h) - asinh(from / h) by one logarithm: of (to + r) / (from + r), on the side where nothing cancels.
-static double difference_of_asinh(double h, double from, double to)
+// asinh(to / h) - asinh(from / h) by one logarithm: of (to + r) / (from + r) with the radii r, on the side where nothing
+// cancels.
+static double difference_of_asinh(double h, double from, double to, const double r[2])
 {
-    if (to <= 0.0) return difference_of_asinh(h, -to, -from);
-    const double r[2] = {sqrt(h * h + from * from), sqrt(h * h + to * to)};
+    if (to <= 0.0) return difference_of_asinh(h, -to, -from, (double[2]){r[1], r[0]});
     if (from < 0.0) return log((to + r[1]) * (r[0] - from) / (h * h));
-    return log1p((to - from) * (1.0 + (to + from) / (r[0] + r[1])) / (from + r[0]));
+    return log1p((to - from) * (r[0] + r[1] + to + from) / ((r[0] + r[1]) * (from + r[0])));
 }
 
-static double integrate_along(double power, double h, double from, double to)
+// int r^-power ds.
+static double integrate_along(double power, double h, double from, double to, const double r[2])
 {
     if (power == 0.0) return to - from;
-    if (power == 1.0) return difference_of_asinh(h, from, to);
-    return gauss_along(power, h, from, to);
+    if (power == 1.0) return difference_of_asinh(h, from, to, r);
+    return gauss_along(power, fabs(h), from, to);
 }
 
-static double power_of(double squared, double exponent)
+static double power_of(double r, double exponent)
 {
-    return exponent == 1.0 ? sqrt(squared) : exponent == 2.0 ? squared : pow(squared, 0.5 * exponent);
+    return exponent == 1.0 ? r : exponent == 2.0 ? r * r : pow(r, exponent);
 }
 
 // The part of the wedge below the line where the radius is in one bin: int h x^m r^-power ds, over q. What int s^2
@@ -89,16 +90,18 @@ static void add_power(const pdmc_scalar_kernel *kernel, int bin, const pdmc_edge
                       pdmc_moments *moments)
 {
     const double p = kernel->power, h = l->h, factor = kernel->scale * kernel->weight[bin] * h;
-    const double root[2] = {power_of(from * from + h * h, 2.0 - p), power_of(to * to + h * h, 2.0 - p)};
-    const double i0 = integrate_along(p, fabs(h), from, to), i1 = (root[1] - root[0]) / (2.0 - p);
-    const double i2 = (to * root[1] - from * root[0] - h * h * i0) / (3.0 - p);
-    const double *n = l->n, *t = l->t;
-    moments->zero += factor / (2.0 - p) * i0;
-    for (int k = 0; k < 2; k++) moments->first[k] += factor / (3.0 - p) * (h * n[k] * i0 + t[k] * i1);
+    const double by[3] = {1.0 / (2.0 - p), 1.0 / (3.0 - p), 1.0 / (4.0 - p)};
+    const double r[2] = {sqrt(from * from + h * h), sqrt(to * to + h * h)};
+    const double root[2] = {power_of(r[0], 2.0 - p), power_of(r[1], 2.0 - p)};
+    const double i0 = integrate_along(p, h, from, to, r), i1 = by[0] * (root[1] - root[0]);
+    const double i2 = by[1] * (to * root[1] - from * root[0] - h * h * i0);
+    const double *n = l->n, *t = l->t, first = by[1] * factor, second = by[2] * factor;
+    moments->zero += by[0] * factor * i0;
+    for (int k = 0; k < 2; k++) moments->first[k] += first * (h * n[k] * i0 + t[k] * i1);
     for (int k = 0; k < 3; k++) {
         const int i = k / 2, j = (k + 1) / 2; // xx, xy, yy
         moments->second[k] +=
-            factor / (4.0 - p) * (h * h * n[i] * n[j] * i0 + h * (n[i] * t[j] + n[j] * t[i]) * i1 + t[i] * t[j] * i2);
+            second * (h * h * n[i] * n[j] * i0 + h * (n[i] * t[j] + n[j] * t[i]) * i1 + t[i] * t[j] * i2);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "pdmc/quadrature.h"
 #include "pdmc/random.h"
 
+#include <float.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_sf_bessel.h>
 #include <gsl/gsl_sf_expint.h>
@@ -124,6 +125,36 @@ static void make_counter_clockwise(double corner[3][2])
     }
 }
 
+// From a point on an edge, to rounding on either side of it, an element is half a disc, and its neighbour the other half: pi,
+// 2 n and pi / 2 of the integrals of c r^m over the radius.
+static void points_on_edges_see_half_discs(void **state)
+{
+    (void)state;
+    for (double power = 0.0; power < 2.0; power += 0.5)
+        for (int turn = 0; turn < 24; turn++)
+            for (int side = -1; side <= 1; side++) {
+                const pdmc_scalar_kernel kernel = kernel_of(2, 0.2, power, 3, profile);
+                const double angle = 0.27 * turn, t[2] = {cos(angle), sin(angle)}, n[2] = {t[1], -t[0]};
+                const double off = side * 1e-17;
+                double corner[3][2];
+                for (int d = 0; d < 2; d++) {
+                    corner[0][d] = off * n[d] - 0.5 * t[d];
+                    corner[1][d] = off * n[d] + 0.7 * t[d];
+                    corner[2][d] = 0.1 * t[d] - 0.8 * n[d]; // counter-clockwise, the element is where n does not point
+                }
+                pdmc_moments got;
+                pdmc_triangle_moments(&kernel, corner, &got);
+                double radial[3];
+                for (int m = 0; m < 3; m++) radial[m] = pdmc_kernel_constant(&kernel, 3, m);
+                const double half = 0.5 * M_PI * radial[2];
+                const pdmc_moments want = {M_PI * radial[0],
+                                           {-2.0 * radial[1] * n[0], -2.0 * radial[1] * n[1]},
+                                           {half, 0.0, half}};
+                // the strip of rounding between the point and the edge has int h r^-p ds, of the order of h^(2 - p)
+                check_equal(&got, &want, want.zero * (1e-12 + 3.0 * pow(DBL_EPSILON / 0.2, 2.0 - power)));
+            }
+}
+
 // The other rule of this project, for polynomials, where the kernel has no power: at random.
 static void without_a_power_the_moments_are_integrals_of_polynomials(void **state)
 {
@@ -221,6 +252,7 @@ int main(void)
         cmocka_unit_test(short_waves_have_the_frequency_of_the_cosine_integral),
         cmocka_unit_test(waves_in_the_plane_have_the_frequency_of_bessels_function),
         cmocka_unit_test(triangles_round_the_centre_add_up_to_the_disc),
+        cmocka_unit_test(points_on_edges_see_half_discs),
         cmocka_unit_test(without_a_power_the_moments_are_integrals_of_polynomials),
         cmocka_unit_test(moments_beside_the_centre_are_sums_over_small_triangles),
         cmocka_unit_test(intervals_have_their_moments),
