@@ -4,6 +4,7 @@
 /// A problem of bodies of bonds, in motion or brought to rest load by load, what acts on them, and what is recorded. Plain
 /// data in the study's own units; see pdmc/particles.h for what is computed.
 
+#include "pdmc/mesh.h"
 #include "pdmc/particles.h"
 
 /// A material as it is given: one modulus, and nothing, the fracture energy or the critical stretch.
@@ -22,7 +23,8 @@ typedef struct {
 } pdmc_explicit_material;
 
 typedef struct {
-    pdmc_body body; // its nodes belong to the study
+    pdmc_body body;     // its nodes belong to the study
+    pdmc_share volumes; // of the nodes of a mesh
     char *file;     // of these nodes as the study names it; NULL where they are those of the grid in a shape
 } pdmc_explicit_body;
 
@@ -64,6 +66,7 @@ typedef struct {
     int material_count, body_count, crack_count, condition_count, sphere_count, no_fail_count, interface_count;
     pdmc_explicit_material *materials;
     pdmc_explicit_body *bodies;
+    char mesh_generator[PDMC_GENERATOR_SIZE]; // what read the meshes of bodies; "" without
     pdmc_planar_crack *cracks;
     pdmc_explicit_condition *conditions;
     pdmc_explicit_sphere *spheres;

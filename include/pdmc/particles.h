@@ -34,8 +34,20 @@ typedef enum { PDMC_VOLUME_WHOLE, PDMC_VOLUME_PARTIAL, PDMC_VOLUME_TAPERED } pdm
 /// velocities, what acts on nodes, and all energies but those of bonds as they break stay in double precision.
 typedef enum { PDMC_PRECISION_DOUBLE, PDMC_PRECISION_SINGLE } pdmc_precision;
 
-/// Nodes: the body has nodes of its own, wherever they are.
-typedef enum { PDMC_SHAPE_BOX, PDMC_SHAPE_CYLINDER, PDMC_SHAPE_BALL, PDMC_SHAPE_NODES } pdmc_shape_kind;
+/// Nodes, mesh: the body has nodes of its own, wherever they are, listed or those of a mesh.
+typedef enum {
+    PDMC_SHAPE_BOX,
+    PDMC_SHAPE_CYLINDER,
+    PDMC_SHAPE_BALL,
+    PDMC_SHAPE_NODES,
+    PDMC_SHAPE_MESH
+} pdmc_shape_kind;
+
+/// Whether it has no region of the grid.
+static inline bool pdmc_shape_has_nodes(pdmc_shape_kind kind)
+{
+    return kind == PDMC_SHAPE_NODES || kind == PDMC_SHAPE_MESH;
+}
 
 /// A region of space; nodes on its edge are inside, to 1e-9 of the spacing.
 typedef struct {
@@ -56,7 +68,7 @@ typedef struct {
     char name[PDMC_NAME_SIZE];
     pdmc_shape shape; // of which no node is in another body, unless it is a part of that
     int node_count;
-    const pdmc_node *nodes; // [node_count] of PDMC_SHAPE_NODES
+    const pdmc_node *nodes; // [node_count] of shapes that have nodes
     int material;
     double velocity[PDMC_AXES]; // of a part that of its host
     bool is_part; // it has those of the host's nodes that its shape holds; of two parts the later one has them

@@ -32,7 +32,7 @@ static pdmc_status check(const pdmc_particles_options *o)
         PDMC_REQUIRE(o->bodies[b].material >= 0 && o->bodies[b].material < o->material_count,
                      "bodies[%d]: material %d, there are %d", b, o->bodies[b].material, o->material_count);
     for (int b = 0; b < o->body_count; b++)
-        PDMC_REQUIRE(o->bodies[b].shape.kind != PDMC_SHAPE_NODES || o->bodies[b].nodes, "bodies[%d]: nodes: NULL", b);
+        PDMC_REQUIRE(!pdmc_shape_has_nodes(o->bodies[b].shape.kind) || o->bodies[b].nodes, "bodies[%d]: nodes: NULL", b);
     for (int s = 0; s < o->sphere_count; s++)
         PDMC_REQUIRE(o->spheres[s].radius > 0.0 && o->spheres[s].mass > 0.0 && o->spheres[s].stiffness > 0.0,
                      "spheres[%d]: radius, mass and stiffness need to be > 0", s);
@@ -143,7 +143,7 @@ static pdmc_status choose_step(const pdmc_particles_options *o, pdmc_particles *
 static bool has_scattered(const pdmc_particles_options *o)
 {
     for (int b = 0; b < o->body_count; b++)
-        if (o->bodies[b].shape.kind == PDMC_SHAPE_NODES) return true;
+        if (pdmc_shape_has_nodes(o->bodies[b].shape.kind)) return true;
     return false;
 }
 

@@ -92,7 +92,7 @@ static pdmc_status check_part(const pdmc_particles_options *o, int b)
     if (!body->is_part) return PDMC_OK;
     PDMC_REQUIRE(body->host >= 0 && body->host < b && !o->bodies[body->host].is_part,
                  "bodies[%d]: its host needs to be an earlier body that is no part of another", b);
-    PDMC_REQUIRE(body->shape.kind != PDMC_SHAPE_NODES, "bodies[%d]: a part of another body has no nodes of its own", b);
+    PDMC_REQUIRE(!pdmc_shape_has_nodes(body->shape.kind), "bodies[%d]: a part of another body has no nodes of its own", b);
     return PDMC_OK;
 }
 

@@ -24,7 +24,7 @@ typedef struct {
 static int own_nodes(const pdmc_particles_options *options, int body)
 {
     const pdmc_body *b = &options->bodies[body];
-    return b->shape.kind == PDMC_SHAPE_NODES ? b->node_count : 0;
+    return pdmc_shape_has_nodes(b->shape.kind) ? b->node_count : 0;
 }
 
 static void clear_cloud(cloud *c)
@@ -54,7 +54,7 @@ static pdmc_status make_grid(const pdmc_particles_options *options, int body[], 
     shaped.body_count = 0;
     PDMC_NEW(bodies, options->body_count);
     for (int b = 0; b < options->body_count; b++) {
-        if (options->bodies[b].shape.kind == PDMC_SHAPE_NODES || options->bodies[b].is_part) continue;
+        if (pdmc_shape_has_nodes(options->bodies[b].shape.kind) || options->bodies[b].is_part) continue;
         body[shaped.body_count] = b;
         bodies[shaped.body_count++] = options->bodies[b];
     }

@@ -29,7 +29,8 @@ bool pdmc_shape_holds(const pdmc_shape *shape, const double x[PDMC_AXES], double
     case PDMC_SHAPE_BALL:
         for (int a = 0; a < PDMC_AXES; a++) distance += (x[a] - shape->centre[a]) * (x[a] - shape->centre[a]);
         return sqrt(distance) <= shape->radius + slack;
-    case PDMC_SHAPE_NODES: break;
+    case PDMC_SHAPE_NODES:
+    case PDMC_SHAPE_MESH: break;
     }
     return false;
 }

@@ -39,7 +39,8 @@ double pdmc_explicit_extent(const pdmc_explicit *problem, const pdmc_shape *shap
     case PDMC_SHAPE_BOX: return sides;
     case PDMC_SHAPE_CYLINDER: return M_PI * r * r * length;
     case PDMC_SHAPE_BALL: return dimension == 2 ? M_PI * r * r : 4.0 / 3.0 * M_PI * r * r * r;
-    case PDMC_SHAPE_NODES: break;
+    case PDMC_SHAPE_NODES:
+    case PDMC_SHAPE_MESH: break;
     }
     return 0.0;
 }
@@ -47,6 +48,6 @@ double pdmc_explicit_extent(const pdmc_explicit *problem, const pdmc_shape *shap
 double pdmc_explicit_nodes(const pdmc_explicit *problem, const pdmc_body *body)
 {
     if (body->is_part) return 0.0;
-    if (body->shape.kind == PDMC_SHAPE_NODES) return body->node_count;
+    if (pdmc_shape_has_nodes(body->shape.kind)) return body->node_count;
     return pdmc_explicit_extent(problem, &body->shape) / pow(problem->spacing, problem->dimension);
 }

@@ -29,7 +29,7 @@ static double steps_to_rest(const pdmc_explicit *study, double nodes)
 static bool is_scattered(const pdmc_explicit *study)
 {
     for (int b = 0; b < study->body_count; b++)
-        if (study->bodies[b].body.shape.kind == PDMC_SHAPE_NODES) return true;
+        if (pdmc_shape_has_nodes(study->bodies[b].body.shape.kind)) return true;
     return false;
 }
 

@@ -49,6 +49,7 @@ static pdmc_status describe_study(const pdmc_study *study, pdmc_results *results
     PDMC_TRY(copy_text(study->resolved, &results->resolved));
     PDMC_TRY(copy_text(pdmc_version(), &results->pdmc_version));
     PDMC_TRY(copy_text(pdmc_git_sha1(), &results->git_sha1));
+    PDMC_TRY(copy_text(study->motion.mesh_generator, &results->mesh_generator));
     PDMC_TRY(stamp_date(&results->date_and_time));
     results->kind = problem->kind;
     results->seed = problem->sampling.seed;

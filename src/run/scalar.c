@@ -310,6 +310,7 @@ pdmc_status pdmc_run_scalar(const pdmc_scalar *study, const pdmc_run_options *op
     if (!goes_on) results->status = PDMC_RUN_INTERRUPTED;
     else if (options->progress) options->progress(options->context, study->levels, study->levels);
     results->runtime.threads = options->threads;
+    pdmc_free(results->mesh_generator);
     results->mesh_generator = pdmc_strdup(levels[(record->level_count - 1) % 2].mesh.generator);
     if (!results->mesh_generator) status = PDMC_ERR_NOMEM;
 done:

@@ -93,11 +93,17 @@ static pdmc_status check_shape(const pdmc_study_reader *reader, pdmc_study_secti
 
 static pdmc_status read_nodes(const pdmc_study_reader *reader, int index)
 {
-    pdmc_explicit_body *body = &reader->motion->bodies[index];
+    pdmc_explicit *motion = reader->motion;
+    pdmc_explicit_body *body = &motion->bodies[index];
+    const double depth = motion->dimension == 2 ? motion->thickness : 1.0;
+    int *const count = &body->body.node_count;
     pdmc_node *nodes = NULL;
     char *path = pdmc_study_path(reader, at(SECTION_BODIES, index, "file"), body->file);
     if (!path) return PDMC_ERR_NOMEM;
-    const pdmc_status status = pdmc_nodes_read(path, reader->motion->dimension, &body->body.node_count, &nodes);
+    const pdmc_status status =
+        body->body.shape.kind == PDMC_SHAPE_NODES
+            ? pdmc_nodes_read(path, motion->dimension, count, &nodes)
+            : pdmc_nodes_of_mesh(path, motion->dimension, body->volumes, depth, motion->mesh_generator, count, &nodes);
     body->body.nodes = nodes;
     pdmc_free(path);
     return status;
@@ -128,9 +134,10 @@ static pdmc_status check_part(const pdmc_study_reader *reader, int index)
     if (body->host == index || host->is_part)
         return pdmc_study_refuse(reader, at(SECTION_BODIES, index, "inside"),
                                  "\"%s\" is not allowed, must be an earlier body that is not inside another", host->name);
-    if (body->shape.kind == PDMC_SHAPE_NODES)
+    if (pdmc_shape_has_nodes(body->shape.kind))
         return pdmc_study_refuse(reader, at(SECTION_BODIES, index, "shape"),
-                                 "\"nodes\" is not allowed inside another body, whose nodes it has");
+                                 "\"%s\" is not allowed inside another body, whose nodes it has",
+                                 body->shape.kind == PDMC_SHAPE_NODES ? "nodes" : "mesh");
     if (length(body->velocity) > 0.0)
         return pdmc_study_refuse(reader, at(SECTION_BODIES, index, "velocity"),
                                  "is given inside another body, must be left to that");

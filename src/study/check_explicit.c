@@ -62,7 +62,7 @@ pdmc_status pdmc_study_check_loading(const pdmc_study_reader *reader)
 static bool are_on_the_grid(const pdmc_explicit *m)
 {
     for (int i = 0; i < m->body_count; i++)
-        if (m->bodies[i].body.shape.kind == PDMC_SHAPE_NODES) return false;
+        if (pdmc_shape_has_nodes(m->bodies[i].body.shape.kind)) return false;
     return true;
 }
 

@@ -24,6 +24,7 @@
 #define CYLINDER ONLY(PDMC_SHAPE_CYLINDER)
 #define BALL ONLY(PDMC_SHAPE_BALL)
 #define NODES ONLY(PDMC_SHAPE_NODES)
+#define MESH ONLY(PDMC_SHAPE_MESH)
 #define SEGMENT ONLY(PDMC_CRACK_SEGMENT)
 #define DISC ONLY(PDMC_CRACK_DISC)
 #define RECTANGLE ONLY(PDMC_CRACK_RECTANGLE)
@@ -110,8 +111,9 @@
 #define VOLUMES CHOICES("whole", "partial", "tapered")
 #define STRETCHES CHOICES("full", "linear")
 #define PRECISIONS CHOICES("double", "single")
+#define SHARES CHOICES("elements", "voronoi")
 #define SHAPES CHOICES("box", "cylinder", "ball")
-#define BODY_SHAPES CHOICES("box", "cylinder", "ball", "nodes")
+#define BODY_SHAPES CHOICES("box", "cylinder", "ball", "nodes", "mesh")
 #define BETWEEN CHOICES("materials", "bodies")
 #define PLANAR_CRACKS CHOICES("segment", "disc", "rectangle")
 #define SPACES CHOICES("continuous", "discontinuous", "mixed")
@@ -448,10 +450,14 @@ const pdmc_study_setting pdmc_study_settings[] = {
 
     {SECTION_BODIES, "name", KIND_NAME, .offset = offsetof(pdmc_explicit_body, body.name), .fallback = "body1, body2, ...",
      .doc = "each name once"},
-    SHAPE_OF(SECTION_BODIES, OF_BODY, BODY_SHAPES, "; or nodes of its own"),
-    {SECTION_BODIES, "file", KIND_TEXT, .offset = offsetof(pdmc_explicit_body, file), WHERE("shape", NODES),
-     .doc = "of its nodes, beside the study: x y volume, in space x y z volume, one node a line; the grid's spacing is about "
-            "theirs"},
+    SHAPE_OF(SECTION_BODIES, OF_BODY, BODY_SHAPES, "; or nodes of its own, listed or those of a mesh"),
+    {SECTION_BODIES, "file", KIND_TEXT, .offset = offsetof(pdmc_explicit_body, file), WHERE("shape", NODES | MESH),
+     .doc = "beside the study: of its nodes, x y volume, in space x y z volume, one node a line; or .msh, of triangles, in space "
+            "tetrahedra, whose corners are its nodes; the grid's spacing is about theirs"},
+    {SECTION_BODIES, "volumes", KIND_CHOICE, .offset = offsetof(pdmc_explicit_body, volumes), .choices = SHARES,
+     .fallback = "elements", WHERE("shape", MESH),
+     .doc = "of the nodes of a mesh: each element shared equally among its corners, or Voronoi cells that end at the surface of the "
+            "body; both add up to the body's"},
     {SECTION_BODIES, "material", KIND_MATERIAL, .offset = offsetof(pdmc_explicit_body, body.material),
      .fallback = "the first material", .doc = "what it is made of"},
     {SECTION_BODIES, "velocity", KIND_VECTOR, UNIT_VELOCITY, ANY, offsetof(pdmc_explicit_body, body.velocity), .fallback = "zero",
@@ -760,7 +766,7 @@ _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == si
                    sizeof(pdmc_precision) == sizeof(int) &&
                    sizeof(pdmc_shape_kind) == sizeof(int) &&
                    sizeof(pdmc_planar_crack_kind) == sizeof(int) && sizeof(pdmc_vary) == sizeof(int) &&
-                   sizeof(pdmc_space_kind) == sizeof(int) && sizeof(pdmc_elements_kind) == sizeof(int) && sizeof(pdmc_outer_rule) == sizeof(int) &&
+                   sizeof(pdmc_space_kind) == sizeof(int) && sizeof(pdmc_elements_kind) == sizeof(int) && sizeof(pdmc_share) == sizeof(int) && sizeof(pdmc_outer_rule) == sizeof(int) &&
                    sizeof(pdmc_inner_rule) == sizeof(int) && sizeof(pdmc_solid_rule) == sizeof(int) &&
                    sizeof(pdmc_solid_compensation) == sizeof(int) && sizeof(pdmc_elastic_face) == sizeof(int) &&
                    sizeof(pdmc_elastic_method) == sizeof(int) && sizeof(pdmc_condition_kind) == sizeof(int) &&

@@ -58,6 +58,8 @@ static void print_head(const pdmc_results *r, FILE *stream)
     fprintf(stream, "  computed %.20s by pdmc %.16s (%.10s), %d threads, %.1f s\n",
             pdmc_one_line(text[0], r->date_and_time), pdmc_one_line(text[1], r->pdmc_version),
             pdmc_one_line(text[2], r->git_sha1), r->runtime.threads, r->runtime.total);
+    if (r->mesh_generator && *r->mesh_generator)
+        fprintf(stream, "  mesh by %.40s\n", pdmc_one_line(text[0], r->mesh_generator));
     if (r->status == PDMC_RUN_INTERRUPTED && r->reliability.group_count > 0)
         fprintf(stream, "  INTERRUPTED: all samples were done, rare growth was not\n");
     else if (r->status == PDMC_RUN_INTERRUPTED)

@@ -82,8 +82,6 @@ void pdmc_table_scalar(const pdmc_results *r, FILE *stream)
     if (isnan(s->wave_number)) fputs("under the study's own source\n", stream);
     else
         fprintf(stream, "wave number %s 1/%.20s\n", pdmc_brief(n[1], s->wave_number), pdmc_one_line(unit, r->length_unit));
-    if (r->mesh_generator && *r->mesh_generator)
-        fprintf(stream, "  mesh by %s\n", pdmc_one_line(unit, r->mesh_generator));
     print_errors(r, stream);
     print_rest(s, stream);
     print_motion(s, stream);
