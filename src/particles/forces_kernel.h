@@ -119,6 +119,8 @@ static __attribute__((noinline)) void find_seldom_forces(const pdmc_forces *f, i
 INLINE void find(const pdmc_forces *f, int b, bond_kind kind)
 {
     if (f->energies) find_energies(f, b);
+    else if (kind.joined && !kind.linear && !kind.scattered)
+        answer(f, b, find_forces(f, b, (bond_kind){.by_node = true, .varied = true, .joined = true}));
     else if (kind.linear || kind.joined || (kind.varied && kind.scattered)) find_seldom_forces(f, b, kind);
     else if (kind.scattered) answer(f, b, find_forces(f, b, (bond_kind){.scattered = true, .by_node = true}));
     else if (kind.varied) answer(f, b, find_forces(f, b, (bond_kind){.by_node = true, .varied = true}));

@@ -95,13 +95,21 @@ INLINE lanes doubles_of(const place *at, const double x[], size_t cell)
     return at->kind.scattered ? lanes_of(x[cell]) : load_double(&x[cell]);
 }
 
+/// Whether eight neighbours are of one body, as they mostly are.
+INLINE bool are_of_one(const int16_t body[])
+{
+    int16_t others = 0;
+    for (int k = 1; k < PDMC_LANES; k++) others |= body[k] ^ body[0];
+    return others == 0;
+}
+
 /// From a table of pairs of bodies, what the block's has with those of its neighbours.
 INLINE lanes of_joints(const place *at, const pairs *p, const double table[], double unit)
 {
     const int16_t *body = &at->forces->nodes->body[p->cell];
     const double *row = &table[at->joints];
     double out[BLOCKS * PDMC_LANES];
-    if (at->kind.scattered) return lanes_of(row[*body] / unit);
+    if (at->kind.scattered || are_of_one(body)) return lanes_of(row[*body] / unit);
     for (int k = 0; k < BLOCKS * PDMC_LANES; k++) out[k] = row[body[k]] / unit;
     return load_double(out);
 }
