@@ -95,11 +95,11 @@ INLINE lanes doubles_of(const place *at, const double x[], size_t cell)
     return at->kind.scattered ? lanes_of(x[cell]) : load_double(&x[cell]);
 }
 
-/// Whether eight neighbours are of one body, as they mostly are.
+/// Whether neighbours side by side are of one body, as they mostly are.
 INLINE bool are_of_one(const int16_t body[])
 {
     int16_t others = 0;
-    for (int k = 1; k < PDMC_LANES; k++) others |= body[k] ^ body[0];
+    for (int k = 1; k < BLOCKS * PDMC_LANES; k++) others |= body[k] ^ body[0];
     return others == 0;
 }
 
