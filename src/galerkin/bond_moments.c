@@ -33,15 +33,16 @@ static void fill_monomials(bond_edge *edge)
     }
 }
 
-// int s^k / r^3 ds from 0 to s, or from where it is simplest, r^2 = h^2 + s^2.
-static void integrals_to(double h, double s, double out[DEGREE + 1])
+// int s^k / r^3 ds along the edge, r^2 = h^2 + s^2.
+static void integrate_along(double h, double from, double to, double out[DEGREE + 1])
 {
-    const double r = sqrt(h * h + s * s), logarithm = asinh(s / fabs(h));
-    out[0] = s / (h * h * r);
-    out[1] = -1.0 / r;
-    out[2] = logarithm - s / r;
-    out[3] = r + h * h / r;
-    out[4] = 0.5 * s * r - 1.5 * h * h * logarithm + h * h * s / r;
+    const double r[2] = {sqrt(h * h + from * from), sqrt(h * h + to * to)}, sine = to / r[1] - from / r[0];
+    const double logarithm = pdmc_asinh_difference(h, from, to, r);
+    out[0] = sine / (h * h);
+    out[1] = 1.0 / r[0] - 1.0 / r[1];
+    out[2] = logarithm - sine;
+    out[3] = r[1] - r[0] - h * h * out[1];
+    out[4] = 0.5 * (to * r[1] - from * r[0]) - 1.5 * h * h * logarithm + h * h * sine;
 }
 
 static void add_product(int m, double factor, double monomial[][DEGREE + 1], const double integral[], double out[])
@@ -58,10 +59,8 @@ static void add_straight(bond_edge *edge, double from, double to, pdmc_bond_mome
 {
     if (from >= to) return;
     const double h = edge->line.h;
-    double integral[DEGREE + 1], lower[DEGREE + 1];
-    integrals_to(h, to, integral);
-    integrals_to(h, from, lower);
-    for (int k = 0; k <= DEGREE; k++) integral[k] -= lower[k];
+    double integral[DEGREE + 1];
+    integrate_along(h, from, to, integral);
     add_product(2, h, edge->monomial[2], integral, m->second);
     add_product(3, h / 2.0, edge->monomial[3], integral, m->third);
     add_product(4, h / 3.0, edge->monomial[4], integral, m->fourth);

@@ -41,3 +41,12 @@ static inline double pdmc_turn(const double from[2], const double to[2])
 {
     return atan2(from[0] * to[1] - from[1] * to[0], from[0] * to[0] + from[1] * to[1]);
 }
+
+/// asinh(to / h) - asinh(from / h) by one logarithm: of (to + r) / (from + r) with the radii r, on the side where nothing
+/// cancels.
+static inline double pdmc_asinh_difference(double h, double from, double to, const double r[2])
+{
+    if (to <= 0.0) return pdmc_asinh_difference(h, -to, -from, (double[2]){r[1], r[0]});
+    if (from < 0.0) return log((to + r[1]) * (r[0] - from) / (h * h));
+    return log1p((to - from) * (r[0] + r[1] + to + from) / ((r[0] + r[1]) * (from + r[0])));
+}

@@ -62,20 +62,11 @@ static double gauss_along(double power, double h, double from, double to)
     return pow(h, 1.0 - power) * half * sum;
 }
 
-// asinh(to / h) - asinh(from / h) by one logarithm: of (to + r) / (from + r) with the radii r, on the side where nothing
-// cancels.
-static double difference_of_asinh(double h, double from, double to, const double r[2])
-{
-    if (to <= 0.0) return difference_of_asinh(h, -to, -from, (double[2]){r[1], r[0]});
-    if (from < 0.0) return log((to + r[1]) * (r[0] - from) / (h * h));
-    return log1p((to - from) * (r[0] + r[1] + to + from) / ((r[0] + r[1]) * (from + r[0])));
-}
-
 // int r^-power ds.
 static double integrate_along(double power, double h, double from, double to, const double r[2])
 {
     if (power == 0.0) return to - from;
-    if (power == 1.0) return difference_of_asinh(h, from, to, r);
+    if (power == 1.0) return pdmc_asinh_difference(h, from, to, r);
     return gauss_along(power, fabs(h), from, to);
 }
 

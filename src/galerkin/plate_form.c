@@ -32,10 +32,23 @@ static double *block_at(const assembler *a, double *pair, int kind, int i, int j
     return &pair[3 * (size_t)a->planes * (size_t)(kind + PDMC_CORNERS * i + j)];
 }
 
-// g . third and g . fourth . h of gradients: xx, xy, yy.
-static double along(const double g[2], const pdmc_bond_moments *m, int k)
+// The planes in which a point sees anything of an element.
+typedef struct {
+    int first, end;
+} range;
+
+static range seen_planes(const assembler *a, const pdmc_bond_moments moments[])
 {
-    return g[0] * m->third[k] + g[1] * m->third[k + 1];
+    range r = {0, a->planes};
+    while (r.first < r.end && moments[r.first].second[0] + moments[r.first].second[2] == 0.0) r.first++;
+    while (r.first < r.end && moments[r.end - 1].second[0] + moments[r.end - 1].second[2] == 0.0) r.end--;
+    return r;
+}
+
+// g . third and g . fourth . h of gradients: xx, xy, yy.
+static void along(const double g[2], const pdmc_bond_moments *m, double out[3])
+{
+    for (int k = 0; k < 3; k++) out[k] = g[0] * m->third[k] + g[1] * m->third[k + 1];
 }
 
 static double between(const double g[2], const double h[2], const pdmc_bond_moments *m, int k)
@@ -44,36 +57,32 @@ static double between(const double g[2], const double h[2], const pdmc_bond_mome
 }
 
 // Within one element u' - u goes with xi.
-static void add_same(const assembler *a, const pdmc_element *e, const pdmc_bond_moments moments[], double weight,
+static void add_same(const assembler *a, const pdmc_element *e, int plane, const pdmc_bond_moments *m, double weight,
                      double *pair)
 {
     for (int i = 0; i < PDMC_CORNERS; i++)
         for (int j = 0; j <= i; j++) {
-            double *own = block_at(a, pair, OWN, i, j);
-            for (int p = 0; p < a->planes; p++)
-                for (int k = 0; k < 3; k++)
-                    own[3 * p + k] += weight * between(e->gradient[i], e->gradient[j], &moments[p], k);
+            double *own = block_at(a, pair, OWN, i, j) + 3 * plane;
+            for (int k = 0; k < 3; k++) own[k] += weight * between(e->gradient[i], e->gradient[j], m, k);
         }
 }
 
 // u' = value'(x) + gradient' . xi, continued to the point x of the first element.
 static void add_different(const assembler *a, const double near[], const double far[], const pdmc_element *other,
-                          const pdmc_bond_moments moments[], double weight, double *pair)
+                          int plane, const pdmc_bond_moments *m, double weight, double *pair)
 {
+    double third[PDMC_CORNERS][3];
+    for (int i = 0; i < PDMC_CORNERS; i++) along(other->gradient[i], m, third[i]);
     for (int i = 0; i < PDMC_CORNERS; i++)
         for (int j = 0; j < PDMC_CORNERS; j++) {
-            const double *g = other->gradient[i], *h = other->gradient[j];
-            double *own = block_at(a, pair, OWN, i, j), *cross = block_at(a, pair, CROSS, i, j);
-            double *both = block_at(a, pair, FAR, i, j);
-            for (int p = 0; p < a->planes; p++) {
-                const pdmc_bond_moments *m = &moments[p];
-                for (int k = 0; k < 3; k++) {
-                    cross[3 * p + k] -= weight * near[j] * (far[i] * m->second[k] + along(g, m, k));
-                    if (j > i) continue;
-                    own[3 * p + k] += weight * near[i] * near[j] * m->second[k];
-                    both[3 * p + k] += weight * (far[i] * far[j] * m->second[k] + far[i] * along(h, m, k) +
-                                                 far[j] * along(g, m, k) + between(g, h, m, k));
-                }
+            double *own = block_at(a, pair, OWN, i, j) + 3 * plane, *cross = block_at(a, pair, CROSS, i, j) + 3 * plane;
+            double *both = block_at(a, pair, FAR, i, j) + 3 * plane;
+            for (int k = 0; k < 3; k++) {
+                cross[k] -= weight * near[j] * (far[i] * m->second[k] + third[i][k]);
+                if (j > i) continue;
+                own[k] += weight * near[i] * near[j] * m->second[k];
+                both[k] += weight * (far[i] * far[j] * m->second[k] + far[i] * third[j][k] + far[j] * third[i][k] +
+                                     between(other->gradient[i], other->gradient[j], m, k));
             }
         }
 }
@@ -99,8 +108,11 @@ static void add_point(const assembler *a, int e, int point, const pdmc_sight *si
         for (int d = 0; d < 2; d++) corner[i][d] = far->corner[i][d] - x[d];
     pdmc_sight_moments(sight, a->horizon, a->planes, corner, moments);
     pdmc_element_coordinates(far, 2, x, value);
-    if (other == e) add_same(a, near, moments, weight, pair);
-    else add_different(a, at, value, far, moments, weight, pair);
+    const range seen = seen_planes(a, moments);
+    for (int p = seen.first; p < seen.end; p++) {
+        if (other == e) add_same(a, near, p, &moments[p], weight, pair);
+        else add_different(a, at, value, far, p, &moments[p], weight, pair);
+    }
 }
 
 static size_t pair_size(const assembler *a)

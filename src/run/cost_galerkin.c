@@ -13,8 +13,8 @@
 
 // Measured on a thread of a 2023 server core (AMD EPYC) with plates of 5,000 to 45,000 triangles, three to nine to a horizon,
 // without planes and with ten.
-static const double seconds_per_moment = 0.55e-6;                                  // of an outer point with a triangle
-static const double seconds_per_plane = 0.12e-6;                                   // more for every plane
+static const double seconds_per_moment = 0.35e-6;                                  // of an outer point with a triangle
+static const double seconds_per_plane = 0.08e-6;                                   // more for every plane
 static const double seconds_per_flop = 1.0 / 25e9;                                 // of the factorisation
 static const double seconds_per_factor_entry = 1e-9;                               // of a solution
 static const double seconds_per_bond_direction = 0.03e-9, seconds_per_draw = 5e-6; // of a sample

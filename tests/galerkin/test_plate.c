@@ -22,17 +22,17 @@ static double opening(const pdmc_plate_elements *plate, double x)
     return u[1] - v[1];
 }
 
-// On a grid of bonds, which opens a percent too far with ten spacings a horizon: 1.951 with spacing 0.03, 1.932 with 0.015.
+// On a grid of bonds with seven spacings a horizon, which opens two percent too far: 1.951, 1.932 with half the spacing.
 static double opening_of_grid(pdmc_problem problem)
 {
     pdmc_bond *bond;
     double u[2], v[2];
     problem.solver = (pdmc_solver_options){.method = PDMC_METHOD_BOND,
-                                           .spacing = 0.02,
+                                           .spacing = 0.03,
                                            .horizon = problem.solver.horizon,
                                            .area = PDMC_AREA_CENTROID,
-                                           .load_layer = 0.1};
-    CHECK_OK(pdmc_bond_create(&problem, 2, &bond));
+                                           .load_layer = 0.09};
+    CHECK_OK(pdmc_bond_create(&problem, 1, &bond));
     CHECK_OK(pdmc_bond_displacement(bond, (double[2]){0.0, 0.0}, (double[2]){0.0, 1e-3}, u));
     CHECK_OK(pdmc_bond_displacement(bond, (double[2]){0.0, 0.0}, (double[2]){0.0, -1e-3}, v));
     pdmc_bond_destroy(&bond);
@@ -48,8 +48,8 @@ static void the_opening_converges_with_the_elements(void **state)
     cracked c;
     for (int k = 0; k < 3; k++) {
         describe(1.2, 1.2, 0.3, 0.2, 0.3 / (2 * k + 2), &c);
-        c.problem.solver.load_layer = 0.1;
-        pdmc_plate_elements *plate = solved(&c.problem, 2);
+        c.problem.solver.load_layer = 0.09;
+        pdmc_plate_elements *plate = solved(&c.problem, 1);
         got[k] = opening(plate, 0.0);
         CHECK_NEAR(opening(plate, 0.1), opening(plate, -0.1), 1e-10);
         pdmc_plate_elements_destroy(&plate);
@@ -58,7 +58,7 @@ static void the_opening_converges_with_the_elements(void **state)
     print_message("opening %.5f, %.5f, %.5f: steps as 1 to %.2f; %.5f on a grid\n", got[0], got[1], got[2], share,
                   grid);
     assert_true(share > 0.05 && share < 1.0 / 3.0);
-    CHECK_NEAR(got[2] / grid, 1.0, 0.02);
+    CHECK_NEAR(got[2] / grid, 1.0, 0.03);
 }
 
 // Discontinuous elements have more functions of the same kind, and so a little more displacement for the same load.
@@ -70,7 +70,7 @@ static void more_functions_move_more(void **state)
         cracked c;
         describe(1.2, 1.2, 0.3, 0.3, 0.15, &c);
         c.problem.solver.space = (pdmc_space_kind)space;
-        pdmc_plate_elements *plate = solved(&c.problem, 2);
+        pdmc_plate_elements *plate = solved(&c.problem, 1);
         work[space] = 0.0;
         for (int k = 0; k < plate->unknowns; k++) work[space] += plate->load[k] * plate->mean[k];
         CHECK_NEAR(plate->residual, 0.0, 1e-11);
@@ -134,7 +134,7 @@ static void intensities_are_those_of_the_field(void **state)
     (void)state;
     cracked c;
     describe(1.8, 1.6, 0.5, 0.08, 0.05, &c);
-    pdmc_plate_elements *plate = solved(&c.problem, 2);
+    pdmc_plate_elements *plate = solved(&c.problem, 1);
     const size_t n = (size_t)plate->unknowns;
     double *row = pdmc_calloc(2 * n, sizeof *row);
     CHECK_OK(pdmc_plate_intensity_rows(plate, 1, row, &row[n]));
@@ -173,7 +173,7 @@ static void the_model_knows_every_answer(void **state)
     pdmc_affine model;
     describe(1.2, 1.2, 0.3, 0.3, 0.15, &c);
     c.problem.uncertainty_count = 1;
-    pdmc_plate_elements *plate = solved(&c.problem, 2);
+    pdmc_plate_elements *plate = solved(&c.problem, 1);
     CHECK_OK(pdmc_plate_affine(plate, &model));
     assert_int_equal(model.terms, 3);
     const int r = model.unknowns;
@@ -204,7 +204,7 @@ static void bins_share_the_planes(void **state)
     c.problem.uncertainty_count = 1;
     c.noise.bins = 37;
     c.problem.energy.tip_count = 0;
-    pdmc_plate_elements *plate = solved(&c.problem, 2);
+    pdmc_plate_elements *plate = solved(&c.problem, 1);
     CHECK_OK(pdmc_plate_affine(plate, &model));
     assert_int_equal(model.terms, PDMC_PLATE_PLANES);
     double modulus = 0.0;

@@ -107,7 +107,7 @@ static void rigid_motions_have_no_energy(void **state)
         plate_form f;
         describe(1.0, 0.8, 0.21, 0.3, 0.11, &c);
         c.problem.solver.space = (pdmc_space_kind)space;
-        form_create(&c.problem, 1, 2, 2, &f);
+        form_create(&c.problem, 1, 2, 1, &f);
         move(&f, turned);
         CHECK_NEAR(largest(&f), 0.0, 1e-14); // of entries of 1
         form_clear(&f);
@@ -133,7 +133,7 @@ static void a_stretch_has_the_energy_of_all_bonds(void **state)
     c.problem.crack_count = 0;
     for (int fine = 0; fine < 2; fine++) {
         plate_form f;
-        form_create(&c.problem, fine ? 4 : 1, 3, 2, &f);
+        form_create(&c.problem, fine ? 4 : 1, 3, 1, &f);
         move(&f, stretched);
         error[fine] = energy(&f) / energy_of_stretch(&c.problem) - 1.0;
         form_clear(&f);
@@ -153,7 +153,7 @@ static void a_uniform_strain_is_in_balance(void **state)
     int inside = 0;
     describe(1.4, 1.2, 0.2, 0.25, 0.1, &c);
     c.problem.crack_count = 0;
-    form_create(&c.problem, 1, 1, 2, &f);
+    form_create(&c.problem, 1, 1, 1, &f);
     move(&f, strained);
     for (int k = 0; k < f.space.count; k++) {
         if (fabs(f.space.x[2 * k]) > 0.7 - 0.45 || fabs(f.space.x[2 * k + 1]) > 0.6 - 0.45) continue;
@@ -172,7 +172,7 @@ static void halves_that_a_crack_parts_move_freely(void **state)
     cracked c;
     plate_form f;
     describe(1.0, 0.8, 0.6, 0.3, 0.13, &c);
-    form_create(&c.problem, 1, 1, 2, &f);
+    form_create(&c.problem, 1, 1, 1, &f);
     move(&f, torn);
     CHECK_NEAR(largest(&f), 0.0, 1e-14);
     form_clear(&f);
@@ -191,7 +191,7 @@ static void a_crack_frees_the_bonds_of_its_length(void **state)
         for (int cracks = 0; cracks < 2; cracks++) {
             plate_form f;
             c.crack.from[1] = c.crack.to[1] = cracks ? 0.0 : 5.0; // out of the plate, with the lines of its ends
-            form_create(&c.problem, fine ? 3 : 1, 1, 2, &f);
+            form_create(&c.problem, fine ? 3 : 1, 1, 1, &f);
             move(&f, lifted);
             if (cracks) error[fine] = (whole - energy(&f)) / want - 1.0;
             whole = energy(&f);
