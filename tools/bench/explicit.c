@@ -1,35 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/// explicit THREADS STEPS STUDY [DUMP]: the speed of whole steps of an explicit study, all of them and the best hundred; its mean
-/// damage, and how far damage of 0.3 has come along x. With the damage that LAMMPS wrote for the last step, of the same nodes
+/// explicit THREADS STEPS STUDY [DUMP]: the speed of whole steps of an explicit study, all of them and the best hundred; beside the
+/// kernel of forces alone, the bandwidth of a triad, and one thread, a hundred steps of each in turn; its mean damage, and how far damage of 0.3 has come along x. With the damage that LAMMPS wrote for the last step, of the same nodes
 /// in the same order, the mean and the number of broken bonds of both.
 
+#include "limits.h"
 #include "pdmc/study.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-
-static void give_up(const char *why)
-{
-    fprintf(stderr, "explicit: %s\n", why);
-    exit(EXIT_FAILURE);
-}
 
 static void *room(size_t count, size_t size)
 {
     void *pointer = calloc(count, size);
-    if (!pointer) give_up("out of memory");
+    if (!pointer) bench_give_up("out of memory");
     return pointer;
-}
-
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 /// Bonds of a node at the start, from the nodes' places alone: each is the only one in its cell of a grid.
@@ -74,7 +61,7 @@ static void compare_with(const char *dump, const pdmc_explicit *study, const pdm
     int *family = room((size_t)count, sizeof *family), atoms = 0;
     char line[256];
     FILE *file = fopen(dump, "r");
-    if (!file) give_up(dump);
+    if (!file) bench_give_up(dump);
     count_families(study, particles, family);
     double mean = 0.0, broken = 0.0;
     while (fgets(line, sizeof line, file))
@@ -86,7 +73,7 @@ static void compare_with(const char *dump, const pdmc_explicit *study, const pdm
     }
     fclose(file);
     free(family);
-    if (atoms != count) give_up("LAMMPS has other nodes");
+    if (atoms != count) bench_give_up("LAMMPS has other nodes");
     const pdmc_particles_sums sums = pdmc_particles_sum(particles);
     printf("  after step %d: mean damage %.6g, LAMMPS %.6g (%+.1e); broken bonds %llu, LAMMPS %.0f (%+.1e)\n",
            pdmc_particles_steps(particles), sums.mean_damage, mean, sums.mean_damage / mean - 1.0,
@@ -107,40 +94,84 @@ static double find_front(const pdmc_particles *particles, double least)
     return front;
 }
 
-static void advance(pdmc_particles *particles, int steps)
+typedef struct {
+    pdmc_particles *particles;
+    double all, best; // seconds of all steps, and of one of the best hundred
+} timed;
+
+static timed begin(const pdmc_explicit *study, int threads)
+{
+    timed t = {.best = INFINITY};
+    if (pdmc_explicit_particles(study, threads, &t.particles) != PDMC_OK) bench_give_up(pdmc_last_error());
+    return t;
+}
+
+static void advance(timed *t, int steps)
+{
+    const double start = bench_seconds();
+    if (pdmc_particles_advance(t->particles, steps) != PDMC_OK) bench_give_up(pdmc_last_error());
+    const double spent = bench_seconds() - start;
+    t->best = fmin(t->best, spent / steps);
+    t->all += spent;
+}
+
+static void print_steps(const timed *t, int steps)
+{
+    const double bonds = (double)pdmc_particles_bonds(t->particles);
+    printf("  whole steps: %.2f ms, %.3f Gbond/s; best hundred %.2f ms, %.3f Gbond/s\n", 1e3 * t->all / steps,
+           bonds * steps / t->all / 1e9, 1e3 * t->best, bonds / t->best / 1e9);
+}
+
+static void print_limits(const pdmc_explicit *study, const timed *t, int threads)
+{
+    const double bare = bench_bare_kernel(study, threads), triad = bench_triad(threads);
+    const double rate = (double)pdmc_particles_bonds(t->particles) / t->best;
+    const double bytes = bench_bytes_of_step(study, t->particles);
+    printf("  the best hundred: %.0f %% of the kernel alone, %.3f Gbond/s; %.0f %% of a triad's %.1f GB/s\n",
+           100.0 * rate / bare, bare / 1e9, 100.0 * bytes / t->best / triad, triad / 1e9);
+}
+
+/// On some threads, and on one in turn with these.
+static void run(const pdmc_explicit *study, int threads, int steps, const char *dump)
 {
     enum { MANY = 100 };
-    const double bonds = (double)pdmc_particles_bonds(particles);
-    double best = INFINITY, all = 0.0;
+    timed more = begin(study, threads), one = begin(study, 1);
     for (int done = 0; done < steps; done += MANY) {
         const int now = steps - done < MANY ? steps - done : MANY;
-        const double start = seconds();
-        if (pdmc_particles_advance(particles, now) != PDMC_OK) give_up(pdmc_last_error());
-        const double spent = seconds() - start;
-        best = fmin(best, spent / now);
-        all += spent;
+        advance(&more, now);
+        if (threads > 1) advance(&one, now);
     }
-    printf("  whole steps: %.2f ms, %.3f Gbond/s; best hundred %.2f ms, %.3f Gbond/s\n", 1e3 * all / steps,
-           bonds * steps / all / 1e9, 1e3 * best, bonds / best / 1e9);
-    printf("  mean damage %.8g; damage of 0.3 up to x = %.4g\n", pdmc_particles_sum(particles).mean_damage,
-           find_front(particles, 0.3));
+    print_steps(&more, steps);
+    if (threads > 1)
+        printf("  %d threads are %.2f times one, in the best hundred %.2f times\n", threads, one.all / more.all,
+               one.best / more.best);
+    print_limits(study, &more, threads);
+    printf("  mean damage %.8g; damage of 0.3 up to x = %.4g\n", pdmc_particles_sum(more.particles).mean_damage,
+           find_front(more.particles, 0.3));
+    if (dump) compare_with(dump, study, more.particles);
+    pdmc_particles_destroy(one.particles);
+    pdmc_particles_destroy(more.particles);
+}
+
+static void print_study(const pdmc_explicit *study, int threads)
+{
+    pdmc_particles *particles = begin(study, 1).particles;
+    const double bonds = (double)pdmc_particles_bonds(particles);
+    printf("pdmc, %s, %s, %d thread%s: %d nodes, %.0f bonds, %.2f bytes a bond beyond the nodes\n",
+           pdmc_particles_kernel(particles), study->precision == PDMC_PRECISION_SINGLE ? "single" : "double", threads,
+           threads == 1 ? "" : "s", pdmc_particles_count(particles), bonds,
+           (double)pdmc_particles_bond_bytes(particles) / bonds);
+    pdmc_particles_destroy(particles);
 }
 
 int main(int count, char *words[])
 {
     pdmc_study study;
-    pdmc_particles *particles;
-    if (count < 4) give_up("usage: explicit THREADS STEPS STUDY [DUMP]");
+    if (count < 4) bench_give_up("usage: explicit THREADS STEPS STUDY [DUMP]");
     const int threads = atoi(words[1]), steps = atoi(words[2]);
-    if (pdmc_study_read(words[3], &study) != PDMC_OK) give_up(pdmc_last_error());
-    if (pdmc_explicit_particles(&study.motion, threads, &particles) != PDMC_OK) give_up(pdmc_last_error());
-    const double bonds = (double)pdmc_particles_bonds(particles);
-    printf("pdmc, %s, %d thread%s: %d nodes, %.0f bonds, %.2f bytes a bond beyond the nodes\n",
-           pdmc_particles_kernel(particles), threads, threads == 1 ? "" : "s", pdmc_particles_count(particles), bonds,
-           (double)pdmc_particles_bond_bytes(particles) / bonds);
-    advance(particles, steps);
-    if (count > 4) compare_with(words[4], &study.motion, particles);
-    pdmc_particles_destroy(particles);
+    if (pdmc_study_read(words[3], &study) != PDMC_OK) bench_give_up(pdmc_last_error());
+    print_study(&study.motion, threads);
+    run(&study.motion, threads, steps, count > 4 ? words[4] : NULL);
     pdmc_study_clear(&study);
     return EXIT_SUCCESS;
 }
