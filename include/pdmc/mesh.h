@@ -83,6 +83,10 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_check_plate(const pdmc_mesh_plate 
 /// @return PDMC_OK, PDMC_ERR_ARG, PDMC_ERR_EXTERN (Gmsh failed, or could not be loaded), or PDMC_ERR_NOMEM
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_triangles(const pdmc_mesh_plate *plate, pdmc_mesh *mesh);
 
+/// What makes such meshes here, "Gmsh 4.8.4".
+/// @return PDMC_OK or PDMC_ERR_EXTERN
+PDMC_API PDMC_NODISCARD pdmc_status pdmc_mesh_generator(char generator[PDMC_GENERATOR_SIZE]);
+
 /// Reads a file of Gmsh (.msh, of any version that Gmsh reads): its tetrahedra, or its triangles where it has none. Nodes of
 /// no element are left out. What lies in the physical group "layer" is marked as layer.
 /// @param[in]  dimension  2 or 3, which the file must have

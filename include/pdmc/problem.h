@@ -167,6 +167,9 @@ typedef enum { PDMC_STENCIL_IMQ, PDMC_STENCIL_POLYHARMONIC } pdmc_stencil_kind;
 
 typedef enum { PDMC_METHOD_KANSA, PDMC_METHOD_BOND, PDMC_METHOD_GALERKIN } pdmc_method;
 
+/// Finite elements of a plate: cells between lines, to which cracks must be parallel, or triangles by Gmsh.
+typedef enum { PDMC_PLATE_CELLS, PDMC_PLATE_TRIANGLES } pdmc_plate_elements_kind;
+
 enum { PDMC_GALERKIN_CRACKS = 24 }; // at most, of a plate by finite elements
 
 /// The area by which a node's bond counts, of a cell that the edge of the horizon may cut: the whole cell if its middle
@@ -200,6 +203,7 @@ typedef struct {
     double load_layer; // thickness of the layer that a traction is spread over, length; of finite elements too
     pdmc_space_kind space; // of finite elements, as is the rest
     int outer_parts;       // of each side of an element, with points of the outer integral in every one
+    pdmc_plate_elements_kind mesh;
 } pdmc_solver_options;
 
 typedef enum { PDMC_INVERSE_DIRECT, PDMC_INVERSE_NEUMANN, PDMC_INVERSE_KRYLOV, PDMC_INVERSE_REDUCED } pdmc_inverse;
@@ -408,3 +412,7 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_problem_check_random_load(const pdmc_pr
 /// Refuses tractions, as they are given or as they vary, that do work on a rigid motion which nothing holds.
 /// @return PDMC_OK, PDMC_ERR_CONFIG, or PDMC_ERR_EXTERN
 PDMC_API PDMC_NODISCARD pdmc_status pdmc_problem_check_equilibrium(const pdmc_problem *problem);
+
+/// What Gmsh is to make of a plate with finite elements.
+/// @param[out] slits  [crack_count] its cracks, which must outlive what is returned
+PDMC_API pdmc_mesh_plate pdmc_problem_mesh_plate(const pdmc_problem *problem, pdmc_slit slits[]);

@@ -94,6 +94,30 @@ static pdmc_status open_crack(const pdmc_problem *problem, int index, pdmc_mesh 
     return pdmc_mesh_cut(mesh, end[0], end[1]);
 }
 
+static pdmc_status draw_cells(const pdmc_problem *problem, pdmc_mesh *mesh)
+{
+    pdmc_status status = PDMC_OK;
+    lines across[2] = {{0}, {0}};
+    for (int axis = 0; axis < 2; axis++) PDMC_TRY(find_lines(problem, axis, &across[axis]));
+    PDMC_TRY(pdmc_mesh_rectangle(across[0].count - 1, across[0].x, across[1].count - 1, across[1].x, mesh));
+    for (int c = 0; c < problem->crack_count; c++) PDMC_TRY(open_crack(problem, c, mesh));
+done:
+    for (int axis = 0; axis < 2; axis++) pdmc_free(across[axis].x);
+    return status;
+}
+
+static pdmc_status draw_triangles(const pdmc_problem *problem, pdmc_mesh *mesh)
+{
+    pdmc_status status = PDMC_OK;
+    pdmc_slit *slits = NULL;
+    PDMC_NEW(slits, problem->crack_count);
+    const pdmc_mesh_plate plate = pdmc_problem_mesh_plate(problem, slits);
+    PDMC_TRY(pdmc_mesh_triangles(&plate, mesh));
+done:
+    pdmc_free(slits);
+    return status;
+}
+
 static void mark_rough(const pdmc_problem *problem, pdmc_mesh *mesh)
 {
     for (int e = 0; e < mesh->element_count; e++) {
@@ -109,18 +133,15 @@ static void mark_rough(const pdmc_problem *problem, pdmc_mesh *mesh)
 
 pdmc_status pdmc_plate_mesh(const pdmc_problem *problem, pdmc_mesh *mesh)
 {
-    pdmc_status status = PDMC_OK;
-    lines across[2] = {{0}, {0}};
     pdmc_mesh made = {0};
-    *mesh = made;
-    for (int axis = 0; axis < 2; axis++) PDMC_TRY(find_lines(problem, axis, &across[axis]));
-    PDMC_TRY(pdmc_mesh_rectangle(across[0].count - 1, across[0].x, across[1].count - 1, across[1].x, &made));
-    for (int c = 0; c < problem->crack_count; c++) PDMC_TRY(open_crack(problem, c, &made));
+    const pdmc_status status =
+        (problem->solver.mesh == PDMC_PLATE_TRIANGLES ? draw_triangles : draw_cells)(problem, &made);
+    *mesh = (pdmc_mesh){0};
+    if (status != PDMC_OK) {
+        pdmc_mesh_clear(&made);
+        return status;
+    }
     mark_rough(problem, &made);
     *mesh = made;
-    made = (pdmc_mesh){0};
-done:
-    for (int axis = 0; axis < 2; axis++) pdmc_free(across[axis].x);
-    pdmc_mesh_clear(&made);
-    return status;
+    return PDMC_OK;
 }

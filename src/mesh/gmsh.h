@@ -6,6 +6,7 @@
 #include "mesh/gmsh/module.h"
 
 typedef struct {
+    pdmc_gmsh_version_function *version;
     pdmc_gmsh_read_function *read;
     pdmc_gmsh_plate_function *plate;
     pdmc_gmsh_clear_function *clear;

@@ -52,7 +52,8 @@ pdmc_status pdmc_gmsh_load(pdmc_gmsh *gmsh)
     char path[PATH_SIZE];
     find_module(path);
     void *module = dlopen(path, RTLD_NOW | RTLD_LOCAL);
-    if (module && find_function(module, "pdmc_gmsh_read", &gmsh->read) &&
+    if (module && find_function(module, "pdmc_gmsh_version", &gmsh->version) &&
+        find_function(module, "pdmc_gmsh_read", &gmsh->read) &&
         find_function(module, "pdmc_gmsh_plate", &gmsh->plate) &&
         find_function(module, "pdmc_gmsh_clear", &gmsh->clear))
         return PDMC_OK;

@@ -32,7 +32,10 @@ pdmc_status pdmc_mesh_read(const char *path, int dimension, pdmc_mesh *mesh)
     *mesh = (pdmc_mesh){0};
     PDMC_REQUIRE(dimension == 2 || dimension == 3, "a dimension of %d is neither 2 nor 3", dimension);
     if ((status = check_kind(path)) != PDMC_OK || (status = pdmc_gmsh_load(&gmsh)) != PDMC_OK) return status;
-    if (!gmsh.read(path, &read)) PDMC_FAIL(PDMC_ERR_DATA, "%s: %s", path, read.message);
+    bool is_read;
+#pragma omp critical(pdmc_gmsh) // which is one for the whole process
+    is_read = gmsh.read(path, &read);
+    if (!is_read) PDMC_FAIL(PDMC_ERR_DATA, "%s: %s", path, read.message);
     if (read.dimension != dimension)
         PDMC_FAIL(PDMC_ERR_DATA, "%s: has %s, must have %s", path, read.dimension == 3 ? "tetrahedra" : "triangles",
                   dimension == 3 ? "tetrahedra" : "triangles alone");

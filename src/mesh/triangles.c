@@ -7,6 +7,7 @@
 #include "pdmc/geometry.h"
 
 #include <math.h>
+#include <string.h>
 
 static pdmc_status check_lengths(const pdmc_mesh_plate *p)
 {
@@ -92,7 +93,10 @@ pdmc_status pdmc_mesh_triangles(const pdmc_mesh_plate *plate, pdmc_mesh *mesh)
     *mesh = made;
     if ((status = pdmc_mesh_check_plate(plate)) != PDMC_OK || (status = pdmc_gmsh_load(&gmsh)) != PDMC_OK)
         return status;
-    if (!gmsh.plate(plate, &drawn)) PDMC_FAIL(PDMC_ERR_EXTERN, "Gmsh: %s", drawn.message);
+    bool is_drawn;
+#pragma omp critical(pdmc_gmsh) // which is one for the whole process
+    is_drawn = gmsh.plate(plate, &drawn);
+    if (!is_drawn) PDMC_FAIL(PDMC_ERR_EXTERN, "Gmsh: %s", drawn.message);
     PDMC_TRY(pdmc_gmsh_convert(&drawn, "the plate", &made));
     for (int i = 0; i < plate->slit_count; i++) PDMC_TRY(open_slit(plate, &plate->slits[i], &made));
     *mesh = made;
@@ -101,4 +105,18 @@ done:
     gmsh.clear(&drawn);
     pdmc_mesh_clear(&made);
     return status;
+}
+
+pdmc_status pdmc_mesh_generator(char generator[PDMC_GENERATOR_SIZE])
+{
+    pdmc_gmsh gmsh;
+    pdmc_gmsh_mesh none = {0};
+    bool is_known;
+    const pdmc_status status = pdmc_gmsh_load(&gmsh);
+    if (status != PDMC_OK) return status;
+#pragma omp critical(pdmc_gmsh)
+    is_known = gmsh.version(&none);
+    if (!is_known) return pdmc_raise(PDMC_ERR_EXTERN, "Gmsh: %s", none.message);
+    memcpy(generator, none.version, sizeof none.version);
+    return PDMC_OK;
 }

@@ -149,3 +149,18 @@ void pdmc_problem_crack_inside(const pdmc_problem *problem, int crack, double en
     for (int k = 0; k < 2; k++) // without rounding
         if (share[1] == 1.0) ends[1][k] = to[k];
 }
+
+pdmc_mesh_plate pdmc_problem_mesh_plate(const pdmc_problem *problem, pdmc_slit slits[])
+{
+    for (int c = 0; c < problem->crack_count; c++)
+        for (int i = 0; i < 2; i++) {
+            slits[c].from[i] = problem->cracks[c].from[i];
+            slits[c].to[i] = problem->cracks[c].to[i];
+        }
+    return (pdmc_mesh_plate){.width = problem->plate.width,
+                             .height = problem->plate.height,
+                             .spacing = problem->solver.spacing,
+                             .fine_spacing = problem->solver.spacing,
+                             .slit_count = problem->crack_count,
+                             .slits = slits};
+}

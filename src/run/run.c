@@ -37,6 +37,16 @@ static pdmc_status stamp_date(char **text)
     return copy_text(date, text);
 }
 
+static pdmc_status describe_mesh(const pdmc_study *study, pdmc_results *results)
+{
+    const pdmc_solver_options *solver = &study->problem.solver;
+    char generator[PDMC_GENERATOR_SIZE];
+    if (solver->method != PDMC_METHOD_GALERKIN || solver->mesh != PDMC_PLATE_TRIANGLES)
+        return copy_text(study->motion.mesh_generator, &results->mesh_generator);
+    const pdmc_status status = pdmc_mesh_generator(generator);
+    return status == PDMC_OK ? copy_text(generator, &results->mesh_generator) : status;
+}
+
 static pdmc_status describe_study(const pdmc_study *study, pdmc_results *results)
 {
     pdmc_status status = PDMC_OK;
@@ -49,7 +59,7 @@ static pdmc_status describe_study(const pdmc_study *study, pdmc_results *results
     PDMC_TRY(copy_text(study->resolved, &results->resolved));
     PDMC_TRY(copy_text(pdmc_version(), &results->pdmc_version));
     PDMC_TRY(copy_text(pdmc_git_sha1(), &results->git_sha1));
-    PDMC_TRY(copy_text(study->motion.mesh_generator, &results->mesh_generator));
+    PDMC_TRY(describe_mesh(study, results));
     PDMC_TRY(stamp_date(&results->date_and_time));
     results->kind = problem->kind;
     results->seed = problem->sampling.seed;

@@ -168,9 +168,12 @@ static pdmc_status check_crack(const pdmc_study_reader *reader, int index)
             reader, at,
             "makes another plate of every sample, with other modes of the stiffness: one of the two "
             "must go");
-    if (p->solver.method == PDMC_METHOD_GALERKIN && p->uncertainties[index].quantity == PDMC_QUANTITY_CRACK_ANGLE)
+    if (p->solver.method == PDMC_METHOD_GALERKIN && p->solver.mesh == PDMC_PLATE_CELLS &&
+        p->uncertainties[index].quantity == PDMC_QUANTITY_CRACK_ANGLE)
         return pdmc_study_refuse(reader, at,
                                  "turns a crack, and the elements of method = \"galerkin\" need it parallel to a side");
+    if (p->solver.method == PDMC_METHOD_GALERKIN && p->solver.mesh == PDMC_PLATE_TRIANGLES)
+        return pdmc_study_refuse(reader, at, "makes another mesh of every sample, which mesh = \"triangles\" does not yet");
     if (p->solver.method == PDMC_METHOD_BOND && is_first_of_cracks(p, index))
         pdmc_study_warn(reader, at,
                         "moves the crack between the nodes of a grid: energies jump by the bonds that it cuts, so that "

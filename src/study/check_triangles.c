@@ -17,6 +17,18 @@ static pdmc_status check_kind(const pdmc_study_reader *reader)
     return pdmc_study_refuse(reader, at("method"), "\"galerkin\" has no dynamic studies yet, must be \"kansa\"");
 }
 
+// Beyond a side that is held the mesh would go on.
+static pdmc_status check_mesh(const pdmc_study_reader *reader)
+{
+    pdmc_slit slits[PDMC_GALERKIN_CRACKS];
+    const pdmc_mesh_plate plate = pdmc_problem_mesh_plate(reader->problem, slits);
+    if (reader->problem->support_count > 0)
+        return pdmc_study_refuse(reader, at("mesh"),
+                                 "\"triangles\" is not available with supports yet, must be \"cells\"");
+    if (pdmc_mesh_check_plate(&plate) == PDMC_OK) return PDMC_OK;
+    return pdmc_study_refuse(reader, (pdmc_study_address){SECTION_CRACKS, -1, NULL}, "%s", pdmc_last_error());
+}
+
 // The lines of the mesh go through cracks.
 static pdmc_status check_cracks(const pdmc_study_reader *reader)
 {
@@ -25,14 +37,15 @@ static pdmc_status check_cracks(const pdmc_study_reader *reader)
         return pdmc_study_refuse(reader, at("method"),
                                  "\"galerkin\" has at most %d cracks, must be \"kansa\" or \"bond\"",
                                  PDMC_GALERKIN_CRACKS);
+    if (p->solver.mesh == PDMC_PLATE_TRIANGLES) return check_mesh(reader);
     for (int c = 0; c < p->crack_count; c++) {
         const pdmc_crack *crack = &p->cracks[c];
         const double width = fabs(crack->to[0] - crack->from[0]), height = fabs(crack->to[1] - crack->from[1]);
         if (fmin(width, height) > 1e-9 * fmax(width, height))
             return pdmc_study_refuse(
                 reader, (pdmc_study_address){SECTION_CRACKS, c, NULL},
-                "\"%s\" is at an angle to the sides of the plate: that needs method = \"kansa\" or "
-                "\"bond\", or a crack parallel to a side",
+                "\"%s\" is at an angle to the sides of the plate: that needs mesh = \"triangles\", method = "
+                "\"kansa\" or \"bond\", or a crack parallel to a side",
                 crack->name);
     }
     return PDMC_OK;

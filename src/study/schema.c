@@ -249,6 +249,9 @@ const pdmc_study_setting pdmc_study_settings[] = {
      .doc = "thickness of the layer, inside the plate, that a traction is spread over"},
     {SECTION_SOLVER, "space", KIND_CHOICE, .offset = IN_PROBLEM(solver.space), .choices = SPACES, .fallback = "continuous",
      FOR(GALERKIN), .doc = "linear triangles, continuous but for cracks; each with values of its own; or so within a horizon of cracks"},
+    {SECTION_SOLVER, "mesh", KIND_CHOICE, .offset = IN_PROBLEM(solver.mesh), .choices = CHOICES("cells", "triangles"),
+     .fallback = "cells", FOR(GALERKIN),
+     .doc = "two triangles a cell, between lines to which cracks are parallel; or triangles by Gmsh, for cracks at any angle"},
     {SECTION_SOLVER, "outer_parts", KIND_INT, .range = FROM_TO(1, 8), .offset = IN_PROBLEM(solver.outer_parts),
      .fallback = "1", FOR(GALERKIN), .doc = "of each side of an element, with seven points of the outer integral in every one"},
 
@@ -766,7 +769,7 @@ _Static_assert(sizeof(pdmc_assumption) == sizeof(int) && sizeof(pdmc_side) == si
                    sizeof(pdmc_precision) == sizeof(int) &&
                    sizeof(pdmc_shape_kind) == sizeof(int) &&
                    sizeof(pdmc_planar_crack_kind) == sizeof(int) && sizeof(pdmc_vary) == sizeof(int) &&
-                   sizeof(pdmc_space_kind) == sizeof(int) && sizeof(pdmc_elements_kind) == sizeof(int) && sizeof(pdmc_share) == sizeof(int) && sizeof(pdmc_outer_rule) == sizeof(int) &&
+                   sizeof(pdmc_space_kind) == sizeof(int) && sizeof(pdmc_elements_kind) == sizeof(int) && sizeof(pdmc_plate_elements_kind) == sizeof(int) && sizeof(pdmc_share) == sizeof(int) && sizeof(pdmc_outer_rule) == sizeof(int) &&
                    sizeof(pdmc_inner_rule) == sizeof(int) && sizeof(pdmc_solid_rule) == sizeof(int) &&
                    sizeof(pdmc_solid_compensation) == sizeof(int) && sizeof(pdmc_elastic_face) == sizeof(int) &&
                    sizeof(pdmc_elastic_method) == sizeof(int) && sizeof(pdmc_condition_kind) == sizeof(int) &&

@@ -308,8 +308,14 @@ static void triangles_that_do_not_fit(void **state)
          "study.cfg:7: random[0].quantity: \"stiffness\" is not known to method = \"galerkin\" yet, must be with method = "
          "\"bond\" or crack_model = \"analytic\""},
         {LINE_CRACKS, "cracks = ( { from = [0, 0]; to = [0.5, 0.1]; } ); solver = { method = \"galerkin\"; };",
-         "study.cfg:4: cracks[0]: \"crack1\" is at an angle to the sides of the plate: that needs method = \"kansa\" or "
-         "\"bond\", or a crack parallel to a side"},
+         "study.cfg:4: cracks[0]: \"crack1\" is at an angle to the sides of the plate: that needs mesh = \"triangles\", method "
+         "= \"kansa\" or \"bond\", or a crack parallel to a side"},
+        {LINE_SOLVER, "solver = { method = \"galerkin\"; mesh = \"triangles\"; }; supports = ( { side = \"left\"; x = 0.0; } );",
+         "study.cfg:7: solver.mesh: \"triangles\" is not available with supports yet, must be \"cells\""},
+        {LINE_SOLVER, "solver = { method = \"galerkin\"; mesh = \"triangles\"; }; random = ( { quantity = \"crack_angle\"; location = 0; scale = 1; } );",
+         "study.cfg:7: random[0].quantity: makes another mesh of every sample, which mesh = \"triangles\" does not yet"},
+        {LINE_SOLVER, "solver = { method = \"kansa\"; mesh = \"triangles\"; };",
+         "study.cfg:7: solver.mesh: is no setting of the crack_model \"analytic\""},
     };
     EXPECT(mistakes);
 }

@@ -18,7 +18,7 @@ typedef struct {
     size_t *corner; // [element_count, dimension + 1] nodes
     uint8_t *layer; // [element_count] 1 in the physical group "layer"
     bool has_layer; // there is such a group
-    char version[32];
+    char version[PDMC_GENERATOR_SIZE];
     char message[512]; // after a failure
 } pdmc_gmsh_mesh;
 
@@ -27,6 +27,10 @@ typedef bool pdmc_gmsh_read_function(const char *path, pdmc_gmsh_mesh *mesh);
 typedef bool pdmc_gmsh_plate_function(const pdmc_mesh_plate *plate, pdmc_gmsh_mesh *mesh);
 typedef void pdmc_gmsh_clear_function(pdmc_gmsh_mesh *mesh);
 
+/// Nothing but the version.
+typedef bool pdmc_gmsh_version_function(pdmc_gmsh_mesh *mesh);
+
+PDMC_API pdmc_gmsh_version_function pdmc_gmsh_version;
 PDMC_API pdmc_gmsh_read_function pdmc_gmsh_read;
 PDMC_API pdmc_gmsh_plate_function pdmc_gmsh_plate;
 PDMC_API pdmc_gmsh_clear_function pdmc_gmsh_clear;

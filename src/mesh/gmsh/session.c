@@ -65,6 +65,13 @@ bool pdmc_gmsh_end(bool succeeded, int threads, pdmc_gmsh_mesh *mesh)
     return succeeded;
 }
 
+bool pdmc_gmsh_version(pdmc_gmsh_mesh *mesh)
+{
+    int threads;
+    const bool is_known = pdmc_gmsh_begin(mesh, &threads);
+    return pdmc_gmsh_end(is_known, threads, mesh);
+}
+
 void pdmc_gmsh_clear(pdmc_gmsh_mesh *mesh)
 {
     free(mesh->x);
