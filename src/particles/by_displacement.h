@@ -109,11 +109,12 @@ INLINE lanes shortening(const pairs *p)
 {
     return p->nearness;
 }
-/// By less than touching nodes have it, so that none is overlooked.
 INLINE double shortening_at(double ratio)
 {
-    return ratio - 1.0 - 1e-5;
+    return ratio - 1.0;
 }
+/// By how much less it is looked for than nodes have it that touch, so that rounding overlooks none.
+static const double shortening_slack = 1e-5;
 INLINE lanes stretch_at(lanes shortening)
 {
     return divide(subtract(lanes_of(0.0), shortening), add(lanes_of(1.0), shortening));

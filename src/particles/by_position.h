@@ -79,6 +79,7 @@ INLINE double shortening_at(double ratio)
 {
     return ratio;
 }
+static const double shortening_slack = 0.0;
 INLINE lanes stretch_at(lanes shortening)
 {
     return subtract(divide(lanes_of(1.0), shortening), lanes_of(1.0));

@@ -223,7 +223,7 @@ INLINE pdmc_alarms find_forces(const pdmc_forces *f, int b, bond_kind kind)
     for (int a = 0; a < PDMC_AXES; a++)
         put_where(nodes, &f->force[a][at.block->cell], at.micromodulus * unit_of_volume(f), s.force[a]);
     if (at.law->strengthening != 0.0) strengthen(&at, &s);
-    const lanes touching = lanes_of(shortening_at(f->nodes->touching));
+    const lanes touching = lanes_of(shortening_at(f->nodes->touching) - shortening_slack);
     return (pdmc_alarms){.breaking = f->unbreakable ? 0 : less(s.weakest, at.enough) & nodes,
                          .touching = less(touching, s.closest) & nodes};
 }

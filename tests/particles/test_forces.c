@@ -358,6 +358,30 @@ static void check_pair(const subject *kernel, variant kind)
     tear_down(&t);
 }
 
+/// Two nodes alone break their bond just beyond s_0, and not just before.
+static void check_limit(const subject *kernel, variant kind)
+{
+    const double s_0 = 1e-3, around[] = {1.0 - 1e-4, 1.0 + 1e-4};
+    for (int k = 0; k < 2; k++) {
+        setting t;
+        set_up_box(&t, kind, (int[]){1, 2, 1}, 0.0);
+        const size_t i = t.nodes.cell[0], j = t.nodes.cell[1];
+        t.law[0].critical_stretch = s_0;
+        t.strength[i] = t.strength[j] = s_0;
+        t.single.strength[i] = t.single.strength[j] = (float)s_0;
+        t.position[1][j] = t.nodes.reference[1][j] + around[k] * s_0;
+        for (int b = 0; b < t.nodes.block_count; b++)
+            pdmc_single_follow(&t.single, &t.nodes, &t.nodes.blocks[b], t.position);
+        kernel->find(&t.forces, 0, t.nodes.block_count);
+        int whole[PDMC_LANES];
+        for (int b = 0; b < t.nodes.block_count; b++) {
+            pdmc_nodes_whole(&t.nodes, &t.nodes.blocks[b], whole);
+            assert_int_equal(whole[0], k == 0);
+        }
+        tear_down(&t);
+    }
+}
+
 static void check(const subject *kernel)
 {
     static const variant kinds[] = {
@@ -387,6 +411,9 @@ static void check(const subject *kernel)
     }
     check_pair(kernel, (variant){0});
     check_pair(kernel, (variant){.linear = true});
+    check_limit(kernel, (variant){0});
+    check_limit(kernel, (variant){.strengthening = 0.25});
+    check_limit(kernel, (variant){.linear = true});
 }
 
 /// About 100 bonds of 0.2 to 1 a node, each to a few roundings of 1e-16 and its stretch to one of 1e-16 of 1 / |xi|; 500 nodes with
