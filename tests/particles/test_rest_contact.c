@@ -186,6 +186,30 @@ static void blocks_and_a_sphere_at_rest(void **state)
     assert_memory_equal(&result[0], &result[2], sizeof result[0]);
 }
 
+/// A sphere between the nodes of the pile lifts the upper one until the bond breaks: then nothing holds that, it leaves the sphere,
+/// and what was in the bond and the contact is in the fracture and dissipated.
+static void a_sphere_breaks_a_bond(void **state)
+{
+    (void)state;
+    pile t;
+    make_pile(&t);
+    t.s.material.critical_stretch = 0.05;
+    t.sphere.radius = 0.3;
+    t.sphere.centre[1] = 0.6;
+    t.sphere.velocity[1] = 0.5;
+    pdmc_particles *p = create(&t.s);
+    const double c = t.s.material.micromodulus, broken = 0.5 * c * 0.05 * 0.05;
+    for (int i = 0; i <= 50; i++) rest_at(p, i / 50.0, 1e-6);
+    const pdmc_particles_sums sums = pdmc_particles_sum(p);
+    assert_int_equal(sums.broken, 1);
+    CHECK_NEAR(sums.elastic + sums.contact, 0.0, 0.0);
+    // a step of the sphere is 0.01, by which the depth of 0.1 and the stretch may be too large; the work is the trapezoidal rule's
+    CHECK_NEAR(sums.fracture, 1.15 * broken, 0.15 * broken);
+    assert_true(sums.dissipated > 0.5 * t.sphere.stiffness * pow(0.1, 3.0) / 3.0);
+    CHECK_NEAR(sums.fracture + sums.dissipated, sums.work, 0.01 * sums.work);
+    pdmc_particles_destroy(p);
+}
+
 static void what_has_a_mass_is_refused(void **state)
 {
     (void)state;
@@ -205,6 +229,7 @@ int main(void)
         cmocka_unit_test(a_sphere_on_a_node_in_closed_form),
         cmocka_unit_test(a_body_on_a_node_in_closed_form),
         cmocka_unit_test(blocks_and_a_sphere_at_rest),
+        cmocka_unit_test(a_sphere_breaks_a_bond),
         cmocka_unit_test(what_has_a_mass_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
