@@ -171,6 +171,7 @@ static void compare_with_whole(bool scattered, bool zone)
     if (scattered) c.bodies[0] = body;
     make_brittle(&c.materials[0]);
     c.bodies[1].material = 0;
+    c.bodies[0].velocity[1] = 1e-3; // that of the part, which does not say any
     s->options.step = 0.2;
     s->options.bond_damping = 0.01;
     s->options.no_fail_count = zone;
@@ -186,6 +187,7 @@ static void compare_with_whole(bool scattered, bool zone)
     CHECK_NEAR(with_part.elastic, sums.elastic, 1e-11 * sums.elastic);
     if (!scattered) {
         c.bodies[0].shape.to[0] = 11.0, c.bodies[1].is_part = false;
+        c.bodies[1].velocity[1] = 1e-3;
         s->options.interface_count = 1;
         tear(s, parted);
         for (int k = 0; k < 4 * NODES; k++) CHECK_NEAR(parted[k], whole[k], 1e-11);
@@ -338,6 +340,29 @@ static void energies_balance_and_threads_change_no_bit(void **state)
     }
 }
 
+/// Nodes in two parts are those of the later one, and nodes that are outside the host are nobody's.
+static void the_later_part_has_the_nodes(void **state)
+{
+    (void)state;
+    composite c;
+    make_composite(&c, 2, (int[]){10, 4, 1}, 3.0, true);
+    const pdmc_body bodies[] = {c.bodies[0],
+                                {.shape = {.from = {3, 0, 0}, .to = {6, 9, 0}}, .is_part = true},
+                                {.shape = {.from = {5, 2, 0}, .to = {30, 9, 0}}, .is_part = true}};
+    c.s.options.bodies = bodies, c.s.options.body_count = 3;
+    c.s.options.interface_count = 0;
+    pdmc_particles *p = create(&c.s);
+    double x[3 * 40];
+    int body[40];
+    assert_int_equal(pdmc_particles_count(p), 40);
+    pdmc_particles_reference(p, x, body);
+    for (int k = 0; k < 40; k++) {
+        const bool in_second = x[3 * k] >= 5.0 && x[3 * k + 1] >= 2.0, in_first = x[3 * k] >= 3.0 && x[3 * k] <= 6.0;
+        assert_int_equal(body[k], in_second ? 2 : in_first ? 1 : 0);
+    }
+    pdmc_particles_destroy(p);
+}
+
 /// The stable step is that of a light body's node behind a stiff interface, by definition.
 static void the_step_is_that_of_the_stiffest_joint(void **state)
 {
@@ -395,6 +420,7 @@ int main(void)
         cmocka_unit_test(an_interface_breaks_at_its_own_stretch),
         cmocka_unit_test(an_interface_releases_its_fracture_energy),
         cmocka_unit_test(energies_balance_and_threads_change_no_bit),
+        cmocka_unit_test(the_later_part_has_the_nodes),
         cmocka_unit_test(the_step_is_that_of_the_stiffest_joint),
         cmocka_unit_test(what_cannot_be),
     };
