@@ -50,6 +50,7 @@ pdmc_scalar_level pdmc_scalar_level_of(const pdmc_scalar *problem, int level)
 
 // Of a thread of a 2024 server core: a pair of an outer point and an element, and an operation of the factor.
 static const double seconds_per_pair = 4e-7, seconds_per_operation = 2e-10;
+static const double assemblies_of_newton = 12.0; // forces and tangents of five iterations, and the linear start
 
 // With the layer.
 static double extent_of(const pdmc_scalar *problem)
@@ -93,12 +94,13 @@ pdmc_scalar_cost pdmc_scalar_cost_of(const pdmc_scalar *problem, int level, int 
     const double own = problem->space == PDMC_SPACE_CONTINUOUS ? 0.5 * (3 - d) + 0.25 : d + 1.0; // values of an element
     const double values = elements * own, entries = 0.5 * values * neighbours * own;
     const double points = (d == 2 ? 7.0 : 3.0) * pow(problem->parts, d);
+    const double assemblies = problem->law.kind == PDMC_LAW_LINEAR ? 1.0 : assemblies_of_newton;
     const double fill = d == 2 ? values * sqrt(values) * reach / h * own : entries; // of a band, or of its dissection
     return (pdmc_scalar_cost){
         .elements = elements,
         .entries = entries,
         .bytes = 15e6 + 32.0 * entries + 8.0 * fill + 4.0 * elements * neighbours,
-        .seconds = elements * neighbours * points * seconds_per_pair / fmax(1.0, threads) +
+        .seconds = assemblies * elements * neighbours * points * seconds_per_pair / fmax(1.0, threads) +
                    fill * fill / values * seconds_per_operation,
     };
 }
