@@ -4,6 +4,8 @@
 
 #include "study/folder.h"
 
+#include "base/base_impl.h"
+
 enum { GRID, MATERIALS, BODIES, CRACKS, CONDITIONS, SPHERES, TIME, REST, PARTS };
 
 // One group a line, from line 2 on, of which one is replaced.
@@ -168,6 +170,43 @@ static void the_resolved_study_reads_back(void **state)
         pdmc_study_clear(&first);
         pdmc_study_clear(&second);
     }
+}
+
+// What begins with a part of the study gets its line; everything else stays as it is.
+static void what_is_found_out_later_has_its_line(void **state)
+{
+    (void)state;
+    static const char text[] = "kind = \"explicit\"; grid = { dimension = 2; spacing = 0.5; };\n"
+                               "materials = ( { density = 2; youngs_modulus = 3; } );\n"
+                               "bodies = ( { from = [0, 0]; to = [4, 4]; },\n"
+                               "           { from = [5, 0];\n"
+                               "             to = [9, 4]; } );\n"
+                               "time = { duration = 10;\n"
+                               "         safety = 0.5; };\n";
+    const char *const messages[][2] = {
+        {"bodies[1]: holds nothing", "study.cfg:4: bodies[1]: holds nothing"},
+        {"bodies[1].to: is far", "study.cfg:5: bodies[1].to: is far"},
+        {"bodies[7]: is not there", "study.cfg:3: bodies[7]: is not there"},
+        {"bodies: are none", "study.cfg:3: bodies: are none"},
+        {"time.step: is by default", "study.cfg:6: time.step: is by default"},
+        {"time.safety: is low", "study.cfg:7: time.safety: is low"},
+        {"cracks[0]: is missing", "study.cfg: cracks[0]: is missing"},
+        {"plate: is of another kind", "plate: is of another kind"},
+        {"bodies[1].too: is no setting", "bodies[1].too: is no setting"},
+        {"bodies[1: is odd", "bodies[1: is odd"},
+        {"bodies are odd: all", "bodies are odd: all"},
+        {": nothing", ": nothing"},
+    };
+    pdmc_study study;
+    CHECK_OK(read_text(text, &study));
+    for (size_t i = 0; i < sizeof messages / sizeof messages[0]; i++) {
+        CHECK_STATUS(pdmc_study_place(&study, pdmc_raise(PDMC_ERR_CONFIG, "%s", messages[i][0])), PDMC_ERR_CONFIG);
+        assert_string_equal(pdmc_last_error(), messages[i][1]);
+    }
+    CHECK_STATUS(pdmc_study_place(&study, pdmc_raise(PDMC_ERR_IO, "bodies[1]: full")), PDMC_ERR_IO);
+    assert_string_equal(pdmc_last_error(), "bodies[1]: full");
+    CHECK_OK(pdmc_study_place(&study, PDMC_OK));
+    pdmc_study_clear(&study);
 }
 
 // A box of 3 x 5, or 3 x 5 x 7; a cylinder; a ball.
@@ -592,6 +631,7 @@ int main(void)
         cmocka_unit_test(what_is_given_is_kept),
         cmocka_unit_test(defaults_are_of_the_first_step),
         cmocka_unit_test(the_resolved_study_reads_back),
+        cmocka_unit_test(what_is_found_out_later_has_its_line),
         cmocka_unit_test(extents_are_those_of_geometry),
         cmocka_unit_test(grids_and_materials_that_cannot_be),
         cmocka_unit_test(bodies_and_cracks_that_cannot_be),
