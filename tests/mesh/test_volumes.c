@@ -87,8 +87,8 @@ static void voronoi_cells_are_those_that_counting_finds(void **state)
     const double low[3] = {-0.7, -0.7, 0.0}, high[3] = {0.7, 0.7, 0.0}, zero[3] = {0.0, 0.0, 0.0},
                  three[3] = {3.0, 3.0, 3.0};
     CHECK_OK(pdmc_mesh_box(2, (double[]){1.0, 1.0}, (int[]){5, 5}, 0.2, &mesh));
-    shake(&mesh, 0.08, low, high);
-    check_by_counting(&mesh, low, high, 200, 4.0 * 0.36); // no cell is wider than 0.36
+    shake(&mesh, 0.09, low, high);
+    check_by_counting(&mesh, low, high, 500, 4.0 * 0.36); // no cell is wider than 0.36
     pdmc_mesh_clear(&mesh);
     cube_create(3, &mesh);
     shake(&mesh, 0.3, zero, three);
