@@ -2,6 +2,7 @@
 #include "base/base_impl.h"
 #include "particles/particles_impl.h"
 
+#include <float.h>
 #include <math.h>
 
 static double length_of(double *const v[PDMC_AXES], double *const other[PDMC_AXES], size_t cell)
@@ -14,22 +15,21 @@ static double length_of(double *const v[PDMC_AXES], double *const other[PDMC_AXE
     return sqrt(square);
 }
 
-/// Without that there are forces of rounding only, in both precisions.
-static bool is_displaced(const pdmc_particles *p)
+/// The forces of a node whose bonds are all stretched by a rounding: where none is larger, all that there is is rounding.
+static double rounding_of(const pdmc_particles *p)
 {
-    for (int k = 0; k < p->nodes.node_count; k++)
-        for (int a = 0; a < PDMC_AXES; a++)
-            if (p->single.displacement[a][p->nodes.cell[k]] != 0.0f) return true;
-    return false;
+    double most = 0.0;
+    for (int m = 0; m < p->material_count; m++) most = fmax(most, p->laws[m].micromodulus);
+    return 0.5 * (double)FLT_EPSILON * most * p->nodes.heaviest;
 }
 
 pdmc_status pdmc_particles_precision(pdmc_particles *p, double *difference)
 {
     pdmc_status status = PDMC_OK;
     double *in_single[PDMC_AXES] = {NULL}, *in_double[PDMC_AXES] = {NULL};
-    double largest = 0.0, farthest = 0.0;
+    double largest = rounding_of(p), farthest = 0.0;
     *difference = 0.0;
-    if (!p->is_single || !is_displaced(p)) return PDMC_OK;
+    if (!p->is_single) return PDMC_OK;
     for (int a = 0; a < PDMC_AXES; a++) {
         PDMC_NEW(in_single[a], p->nodes.cells + PDMC_LANES);
         PDMC_NEW(in_double[a], p->nodes.cells + PDMC_LANES);
@@ -40,7 +40,7 @@ pdmc_status pdmc_particles_precision(pdmc_particles *p, double *difference)
         farthest = fmax(farthest, length_of(in_single, in_double, p->nodes.cell[k]));
         largest = fmax(largest, length_of(in_double, NULL, p->nodes.cell[k]));
     }
-    if (largest > 0.0) *difference = farthest / largest;
+    *difference = farthest / largest;
 done:
     for (int a = 0; a < PDMC_AXES; a++) {
         pdmc_free(in_single[a]);

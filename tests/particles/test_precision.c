@@ -75,7 +75,7 @@ static void the_difference_is_said(void **state)
     s.options.precision = PDMC_PRECISION_SINGLE;
     pdmc_particles *p = create(&s);
     CHECK_OK(pdmc_particles_precision(p, &difference[0]));
-    CHECK_NEAR(difference[0], 0.0, 0.0);
+    assert_true(difference[0] < 1e-4); // before anything moves: 2^-38 over 2^-24
     for (int k = 0; k < 2; k++) {
         place(p, (double[3][3]){{1 + stretch, 0, 0}, {0, 1 + stretch, 0}, {0, 0, 1 + stretch}},
               (double[3]){way[k], 0, 0});
