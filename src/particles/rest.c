@@ -186,6 +186,21 @@ static pdmc_status find_unbalanced(const resting *r, double *norm)
     return PDMC_OK;
 }
 
+/// Forces whose norm would be no finite number, or that are none themselves, must not pass for rest.
+static pdmc_status check_finite(const resting *r)
+{
+    const pdmc_nodes *g = &r->particles->nodes;
+    const double most = sqrt(DBL_MAX / (double)r->unknowns);
+    for (size_t i = 0; i < r->unknowns; i++) {
+        if (fabs(r->force[i]) < most && fabs(r->external[i]) < most) continue;
+        const size_t c = g->cell[i / (size_t)g->dimension];
+        return pdmc_raise(PDMC_ERR_SINGULAR,
+                          "load %g: the force on the node at (%g, %g, %g) is too large or not a number", r->load,
+                          g->reference[0][c], g->reference[1][c], g->reference[2][c]);
+    }
+    return PDMC_OK;
+}
+
 /// The forces at x, their external part, and the residual.
 static pdmc_status look(resting *r)
 {
@@ -193,7 +208,8 @@ static pdmc_status look(resting *r)
     pdmc_status status = find_forces(r, r->x, r->force);
     if (status != PDMC_OK) return status;
     const double scale = scale_of(r);
-    status = find_unbalanced(r, &norm);
+    status = check_finite(r);
+    if (status == PDMC_OK) status = find_unbalanced(r, &norm);
     r->rest->residual = norm > 0.0 ? norm / scale : 0.0;
     return status;
 }
@@ -217,6 +233,7 @@ static pdmc_status relax(resting *r)
         r->steps_before = r->rest->steps;
         status = pdmc_relax(&model, &options, r->x, go_on, r, &state);
         r->rest->residual = state.residual;
+        if (status == PDMC_ERR_SINGULAR && !isfinite(state.residual) && look(r) != PDMC_OK) goto done; // it says where
         if (status == PDMC_ERR_SINGULAR)
             PDMC_FAIL(status, "load %g: not at rest after %d steps of relaxation, the residual is %g, wanted %g",
                       r->load, state.steps, state.residual, r->options->tolerance);

@@ -308,7 +308,18 @@ static void what_does_not_come_to_rest_is_said(void **state)
     CHECK_STATUS(pdmc_particles_come_to_rest(p, 1.0, &options, &rest), PDMC_ERR_SINGULAR);
     assert_non_null(strstr(pdmc_last_error(), "a force acts on a node that no bond holds"));
     pdmc_particles_destroy(p);
+    make_box(&s, 2, (int[]){4, 1, 1});
+    pull.value[0] = 1e200; // of which the square is no number any more, and all would be 0 beside it
+    pull.region.from[0] = pull.region.to[0] = 3.0;
+    pull.history = (pdmc_history){2, ramp_time, ramp_time};
+    s.options.condition_count = 1;
+    s.options.conditions = &pull;
+    p = create(&s);
+    CHECK_STATUS(pdmc_particles_come_to_rest(p, 1.0, &options, &rest), PDMC_ERR_SINGULAR);
+    assert_string_equal(pdmc_last_error(), "load 1: the force on the node at (3, 0, 0) is too large or not a number");
+    pdmc_particles_destroy(p);
     pull.kind = PDMC_CONDITION_VELOCITY;
+    pull.value[0] = 1.0;
     p = create(&s);
     CHECK_STATUS(pdmc_particles_come_to_rest(p, 1.0, &options, &rest), PDMC_ERR_ARG);
     pdmc_particles_destroy(p);
