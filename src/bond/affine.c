@@ -69,9 +69,9 @@ done:
     return status;
 }
 
-// pdmc_bond_factor_solve() or its like, on halves of the columns side by side where there are threads, but always on
+// pdmc_sparse_factor_solve() or its like, on halves of the columns side by side where there are threads, but always on
 // halves, since the last bits depend on the width.
-typedef pdmc_status by_factor(const pdmc_bond_factor *factor, int columns, const double b[], double x[]);
+typedef pdmc_status by_factor(const pdmc_sparse_factor *factor, int columns, const double b[], double x[]);
 
 static pdmc_status in_halves(by_factor *solve_columns, const pdmc_affine *model, int count, const double b[],
                              double x[])
@@ -94,13 +94,13 @@ static pdmc_status in_halves(by_factor *solve_columns, const pdmc_affine *model,
 
 static pdmc_status precondition(const pdmc_affine *model, int count, const double r[], double z[])
 {
-    return in_halves(pdmc_bond_factor_solve, model, count, r, z);
+    return in_halves(pdmc_sparse_factor_solve, model, count, r, z);
 }
 
 static pdmc_status color(const pdmc_affine *model, const double g[], double z[])
 {
     const pdmc_bond_grid *grid = &bond_of(model)->plate.grid;
-    const pdmc_status status = in_halves(pdmc_bond_factor_color, model, B, g, z);
+    const pdmc_status status = in_halves(pdmc_sparse_factor_color, model, B, g, z);
     for (int k = 0; k < model->unknowns && status == PDMC_OK; k++)
         if (grid->held[k / 2] & (1U << (k % 2)))
             for (int s = 0; s < B; s++) z[(size_t)s * (size_t)model->unknowns + (size_t)k] = 0.0;
@@ -119,8 +119,8 @@ static pdmc_status solve(const pdmc_affine *model, const double xi[], const doub
     const pdmc_bond *bond = bond_of(model);
     const pdmc_bond_stiffness *stiffness = stiffness_of(model);
     const int shells = bond->plate.horizon.shells, nodes = bond->plate.grid.nodes;
-    pdmc_bond_matrix matrix = {0};
-    pdmc_bond_factor *factor = NULL;
+    pdmc_sparse_matrix matrix = {0};
+    pdmc_sparse_factor *factor = NULL;
     double *shell = NULL, *node = NULL;
     PDMC_NEW(shell, shells);
     for (int m = 0; m < shells; m++) shell[m] = 1.0 + shell_deviation(model, xi, m);
@@ -130,11 +130,11 @@ static pdmc_status solve(const pdmc_affine *model, const double xi[], const doub
                     xi + model->radial_terms, 1, 0.0, node, 1);
     const pdmc_bond_moduli moduli = {shell, node};
     PDMC_TRY(pdmc_bond_matrix_create(&bond->plate, &moduli, &matrix));
-    PDMC_TRY(pdmc_bond_factor_create(&matrix, bond->factor, NULL, &factor));
+    PDMC_TRY(pdmc_sparse_factor_create(&matrix, bond->factor, NULL, &factor));
     PDMC_TRY(pdmc_bond_solve(bond, factor, &moduli, scale, x));
 done:
-    pdmc_bond_factor_destroy(&factor);
-    pdmc_bond_matrix_clear(&matrix);
+    pdmc_sparse_factor_destroy(&factor);
+    pdmc_sparse_matrix_clear(&matrix);
     pdmc_free(shell);
     pdmc_free(node);
     return status;

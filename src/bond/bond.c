@@ -83,7 +83,7 @@ static pdmc_status factor_mean(pdmc_bond *bond)
     pdmc_status status = PDMC_OK;
     const int shells = bond->plate.horizon.shells;
     const double start = pdmc_seconds();
-    pdmc_bond_matrix matrix = {0};
+    pdmc_sparse_matrix matrix = {0};
     double *factor = NULL;
     int64_t *order = NULL;
     PDMC_NEW(factor, shells);
@@ -92,11 +92,11 @@ static pdmc_status factor_mean(pdmc_bond *bond)
     PDMC_TRY(pdmc_bond_matrix_create(&bond->plate, &(pdmc_bond_moduli){.shell = factor}, &matrix));
     const double assembled = pdmc_seconds();
     pdmc_bond_dissection(&bond->plate, order);
-    PDMC_TRY(pdmc_bond_factor_create(&matrix, NULL, order, &bond->factor));
+    PDMC_TRY(pdmc_sparse_factor_create(&matrix, NULL, order, &bond->factor));
     bond->assembly_seconds += assembled - start;
     bond->factorisation_seconds = pdmc_seconds() - assembled;
 done:
-    pdmc_bond_matrix_clear(&matrix);
+    pdmc_sparse_matrix_clear(&matrix);
     pdmc_free(factor);
     pdmc_free(order);
     return status;
@@ -125,7 +125,7 @@ done:
     return status;
 }
 
-pdmc_status pdmc_bond_solve(const pdmc_bond *bond, const pdmc_bond_factor *factor, const pdmc_bond_moduli *moduli,
+pdmc_status pdmc_bond_solve(const pdmc_bond *bond, const pdmc_sparse_factor *factor, const pdmc_bond_moduli *moduli,
                             const double scale[], double x[])
 {
     pdmc_status status = PDMC_OK;
@@ -137,7 +137,7 @@ pdmc_status pdmc_bond_solve(const pdmc_bond *bond, const pdmc_bond_factor *facto
         x[k] = scale[0] * (bond->plate.grid.prescribed[k] - force[k]) + scale[1] * bond->load[k];
     for (int l = 1; l < bond->loads.count; l++)
         cblas_daxpy(n, scale[1 + l], &bond->load[(size_t)l * (size_t)n], 1, x, 1);
-    PDMC_TRY(pdmc_bond_factor_solve(factor, 1, x, x));
+    PDMC_TRY(pdmc_sparse_factor_solve(factor, 1, x, x));
 done:
     pdmc_free(force);
     return status;
@@ -159,7 +159,7 @@ static pdmc_status solve_mean(pdmc_bond *bond)
     held[0] = 1.0;
     PDMC_TRY(pdmc_bond_solve(bond, bond->factor, &moduli, held, bond->solution));
     for (size_t l = 0; l < cases; l++)
-        PDMC_TRY(pdmc_bond_factor_solve(bond->factor, 1, &bond->load[l * (size_t)n], &bond->solution[(1 + l) * (size_t)n]));
+        PDMC_TRY(pdmc_sparse_factor_solve(bond->factor, 1, &bond->load[l * (size_t)n], &bond->solution[(1 + l) * (size_t)n]));
     for (size_t l = 0; l < 2; l++) cblas_daxpy(n, 1.0, &bond->solution[l * (size_t)n], 1, bond->mean, 1);
     PDMC_TRY(take_out_rigid_motions(bond, bond->mean));
     PDMC_TRY(pdmc_bond_product(bond, &moduli, bond->mean, force));
@@ -217,7 +217,7 @@ void pdmc_bond_destroy(pdmc_bond **bond)
 {
     pdmc_bond *old = *bond;
     if (!old) return;
-    pdmc_bond_factor_destroy(&old->factor);
+    pdmc_sparse_factor_destroy(&old->factor);
     pdmc_bond_families_clear(&old->plate.families);
     pdmc_bond_grid_clear(&old->plate.grid);
     pdmc_bond_horizon_clear(&old->plate.horizon);

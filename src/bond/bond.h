@@ -4,21 +4,22 @@
 /// The meshfree bond method, static and linearised: Silling & Askari 2005 on a regular grid, bonds that cross a crack
 /// removed. It solves the same problem as the collocation over visible nodes at the same horizon.
 
-#include "bond/factor.h"
+#include "bond/stiffness.h"
 #include "pdmc/affine.h"
 #include "pdmc/load_cases.h"
 #include "pdmc/results.h"
+#include "sparse/factor.h"
 
 typedef struct {
     const pdmc_problem *problem;
     int threads, unknowns; // 2 nodes
     pdmc_bond_plate plate;
-    pdmc_bond_factor *factor; // of the mean operator
+    pdmc_sparse_factor *factor; // of the mean operator
     pdmc_load_cases loads;
-    double *load;             // [cases of the loads, unknowns] force / thickness of the tractions; 0 where held
-    double *solution;         // [1 + cases, unknowns] answers to the prescribed displacements, and to these
-    double *mean;             // [unknowns] the sum of the first two, without rigid motions that nothing holds
-    double residual;          // largest of the mean, force / length^2
+    double *load;     // [cases of the loads, unknowns] force / thickness of the tractions; 0 where held
+    double *solution; // [1 + cases, unknowns] answers to the prescribed displacements, and to these
+    double *mean;     // [unknowns] the sum of the first two, without rigid motions that nothing holds
+    double residual;  // largest of the mean, force / length^2
     double assembly_seconds, factorisation_seconds;
 } pdmc_bond;
 
@@ -39,7 +40,7 @@ PDMC_NODISCARD pdmc_status pdmc_bond_product(const pdmc_bond *bond, const pdmc_b
 /// Solves for scale[0] times the prescribed displacements and scale[1 + l] times case l of the loads.
 /// @param[in]  factor  of the operator with these moduli
 /// @param[out] x       [unknowns]
-PDMC_NODISCARD pdmc_status pdmc_bond_solve(const pdmc_bond *bond, const pdmc_bond_factor *factor,
+PDMC_NODISCARD pdmc_status pdmc_bond_solve(const pdmc_bond *bond, const pdmc_sparse_factor *factor,
                                            const pdmc_bond_moduli *moduli, const double scale[], double x[]);
 
 /// The mean displacement at x: that of a node, or the polynomial of degree 2 that fits the nodes nearby that are seen

@@ -21,7 +21,8 @@ static int64_t count_column(const pdmc_bond_plate *plate, int node, int componen
 }
 
 // k e_i e_j h^2 of a bond: xx, xy, yy
-static void bond_block(const pdmc_bond_plate *plate, const pdmc_bond_moduli *moduli, int node, size_t b, double block[3])
+static void bond_block(const pdmc_bond_plate *plate, const pdmc_bond_moduli *moduli, int node, size_t b,
+                       double block[3])
 {
     const pdmc_bond_families *families = &plate->families;
     const pdmc_bond_neighbour *n = &plate->horizon.neighbour[families->neighbour[b]];
@@ -35,7 +36,7 @@ static void bond_block(const pdmc_bond_plate *plate, const pdmc_bond_moduli *mod
 }
 
 static void fill_column(const pdmc_bond_plate *plate, const pdmc_bond_moduli *moduli, int node, int component,
-                        pdmc_bond_matrix *matrix)
+                        pdmc_sparse_matrix *matrix)
 {
     const pdmc_bond_families *families = &plate->families;
     const int64_t first = matrix->start[2 * (size_t)node + (size_t)component];
@@ -63,16 +64,17 @@ static void fill_column(const pdmc_bond_plate *plate, const pdmc_bond_moduli *mo
     }
 }
 
-void pdmc_bond_matrix_fill(const pdmc_bond_plate *plate, const pdmc_bond_moduli *moduli, pdmc_bond_matrix *matrix)
+void pdmc_bond_matrix_fill(const pdmc_bond_plate *plate, const pdmc_bond_moduli *moduli, pdmc_sparse_matrix *matrix)
 {
     for (int unknown = 0; unknown < matrix->unknowns; unknown++)
         fill_column(plate, moduli, unknown / 2, unknown % 2, matrix);
 }
 
-pdmc_status pdmc_bond_matrix_create(const pdmc_bond_plate *plate, const pdmc_bond_moduli *moduli, pdmc_bond_matrix *out)
+pdmc_status pdmc_bond_matrix_create(const pdmc_bond_plate *plate, const pdmc_bond_moduli *moduli,
+                                    pdmc_sparse_matrix *out)
 {
     pdmc_status status = PDMC_OK;
-    *out = (pdmc_bond_matrix){.unknowns = 2 * plate->grid.nodes};
+    *out = (pdmc_sparse_matrix){.unknowns = 2 * plate->grid.nodes};
     PDMC_NEW(out->start, out->unknowns + 1);
     for (int unknown = 0; unknown < out->unknowns; unknown++)
         out->start[unknown + 1] = out->start[unknown] + count_column(plate, unknown / 2, unknown % 2);
@@ -80,14 +82,6 @@ pdmc_status pdmc_bond_matrix_create(const pdmc_bond_plate *plate, const pdmc_bon
     PDMC_NEW(out->value, out->start[out->unknowns]);
     pdmc_bond_matrix_fill(plate, moduli, out);
 done:
-    if (status != PDMC_OK) pdmc_bond_matrix_clear(out);
+    if (status != PDMC_OK) pdmc_sparse_matrix_clear(out);
     return status;
-}
-
-void pdmc_bond_matrix_clear(pdmc_bond_matrix *matrix)
-{
-    pdmc_free(matrix->start);
-    pdmc_free(matrix->row);
-    pdmc_free(matrix->value);
-    *matrix = (pdmc_bond_matrix){0};
 }

@@ -23,7 +23,7 @@ static pdmc_solver_report report(const void *method)
         .unknowns = bond->unknowns,
         .rows = bond->unknowns,
         .rank = bond->unknowns,
-        .condition = pdmc_bond_factor_condition(bond->factor),
+        .condition = pdmc_sparse_factor_condition(bond->factor),
         .residual = bond->residual,
         .horizon = bond->problem->solver.horizon,
         .spacing = bond->problem->solver.spacing,

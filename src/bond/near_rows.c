@@ -27,7 +27,7 @@ static pdmc_status solve_states(const pdmc_bond *bond, int tip, double u[])
             u[bond->unknowns + 2 * node + i] = left * tangent[i] + along * normal[i];
         }
     }
-    return pdmc_bond_factor_solve(bond->factor, MODES, u, u);
+    return pdmc_sparse_factor_solve(bond->factor, MODES, u, u);
 }
 
 // K [row, state]

@@ -79,7 +79,7 @@ static pdmc_status find_adjoint(const pdmc_bond *bond, const double row[], doubl
     for (int k = 0; k < 2 && square > 0.0; k++) cblas_daxpy(n, 2.0 * K[k] / square, row + k * n, 1, adjoint, 1);
     for (int k = 0; k < n; k++)
         if (bond->plate.grid.held[k / 2] & (1U << (k % 2))) adjoint[k] = 0.0;
-    return pdmc_bond_factor_solve(bond->factor, 1, adjoint, adjoint);
+    return pdmc_sparse_factor_solve(bond->factor, 1, adjoint, adjoint);
 }
 
 pdmc_status pdmc_bond_tip_weights(const pdmc_bond *bond, const double release[], const double row[], double weight[])

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bond/grid.h"
+#include "sparse/matrix.h"
 
 /// What a grid of bonds is made of.
 typedef struct {
@@ -35,18 +36,10 @@ typedef struct {
     const double *node;  // [nodes], or NULL for 0
 } pdmc_bond_moduli;
 
-/// The lower triangle of K by columns, for moduli of the bonds; held unknowns have a 1 on the diagonal and nothing
-/// else, and what they do to the free ones is left to pdmc_bond_multiply().
-typedef struct {
-    int unknowns;
-    int64_t *start; // [unknowns + 1]
-    int64_t *row;   // [start[unknowns]] ascending in each column
-    double *value;
-} pdmc_bond_matrix;
-
-/// @param[out] out  free with pdmc_bond_matrix_clear(); zero on failure
+/// The lower triangle of K for moduli of the bonds; held unknowns have a 1 on the diagonal and nothing else, and what they do to
+/// the free ones is left to pdmc_bond_multiply().
+/// @param[out] out  free with pdmc_sparse_matrix_clear(); zero on failure
 PDMC_NODISCARD pdmc_status pdmc_bond_matrix_create(const pdmc_bond_plate *plate, const pdmc_bond_moduli *moduli,
-                                                   pdmc_bond_matrix *out);
+                                                   pdmc_sparse_matrix *out);
 /// New values on the same pattern.
-void pdmc_bond_matrix_fill(const pdmc_bond_plate *plate, const pdmc_bond_moduli *moduli, pdmc_bond_matrix *matrix);
-void pdmc_bond_matrix_clear(pdmc_bond_matrix *matrix);
+void pdmc_bond_matrix_fill(const pdmc_bond_plate *plate, const pdmc_bond_moduli *moduli, pdmc_sparse_matrix *matrix);

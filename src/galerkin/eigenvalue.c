@@ -68,7 +68,7 @@ done:
 }
 
 // `all` has room for the prescribed values too, which stay zero.
-static pdmc_status iterate(lanczos *l, const pdmc_form *form, const pdmc_form *mass, const pdmc_bond_factor *factor,
+static pdmc_status iterate(lanczos *l, const pdmc_form *form, const pdmc_form *mass, const pdmc_sparse_factor *factor,
                            double all[], double *largest, double *error)
 {
     pdmc_status status = PDMC_OK;
@@ -82,7 +82,7 @@ static pdmc_status iterate(lanczos *l, const pdmc_form *form, const pdmc_form *m
         double *image = &l->q[((size_t)l->steps + 1) * (size_t)l->n]; // where the next vector will be
         pdmc_form_multiply(form, all, image);
         l->diagonal[l->steps++] = dot(l->n, q, image);
-        PDMC_TRY(pdmc_bond_factor_solve(factor, 1, image, all));
+        PDMC_TRY(pdmc_sparse_factor_solve(factor, 1, image, all));
         orthogonalise(l, all);
         l->other[l->steps - 1] = take_vector(l, mass, all);
         const bool is_last = l->steps == MOST_STEPS || l->steps == l->n;
@@ -107,7 +107,7 @@ pdmc_status pdmc_form_largest_eigenvalue(const pdmc_form *form, const pdmc_form 
     pdmc_status status = PDMC_OK;
     const size_t n = (size_t)form->free_count, vectors = n < MOST_STEPS ? n + 1 : MOST_STEPS + 1;
     lanczos l = {.n = form->free_count};
-    pdmc_bond_factor *factor = NULL;
+    pdmc_sparse_factor *factor = NULL;
     double *all = NULL;
     PDMC_NEW(l.q, vectors * n);
     PDMC_NEW(l.mq, vectors * n);
@@ -115,7 +115,7 @@ pdmc_status pdmc_form_largest_eigenvalue(const pdmc_form *form, const pdmc_form 
     PDMC_TRY(pdmc_form_factor(mass, &factor));
     PDMC_TRY(iterate(&l, form, mass, factor, all, largest, error));
 done:
-    pdmc_bond_factor_destroy(&factor);
+    pdmc_sparse_factor_destroy(&factor);
     pdmc_free(l.q);
     pdmc_free(l.mq);
     pdmc_free(all);

@@ -14,7 +14,7 @@ typedef struct {
     const void *context;
     const double *load; // [free_count], NULL for none
     const pdmc_form *mass;
-    const pdmc_bond_factor *factor; // of the mass
+    const pdmc_sparse_factor *factor; // of the mass
     int free_count, count;
     double frequency;
     double *start;                       // [count] values at the start, of which the prescribed ones are used
@@ -43,7 +43,7 @@ static pdmc_status accelerate(marcher *m)
         m->potential -= load * m->now[i];
         m->force[i] = load - m->force[i] - m->inertia[i];
     }
-    return pdmc_bond_factor_solve(m->factor, 1, m->force, m->acceleration);
+    return pdmc_sparse_factor_solve(m->factor, 1, m->force, m->acceleration);
 }
 
 // u(t + dt) = 2 u - u(t - dt) + dt^2 a; from rest the state before the first is that after it.
@@ -98,7 +98,7 @@ pdmc_status pdmc_form_march(const pdmc_form *form, const pdmc_form *mass, int co
                             int steps, double frequency, double u[])
 {
     pdmc_status status = PDMC_OK;
-    pdmc_bond_factor *factor = NULL;
+    pdmc_sparse_factor *factor = NULL;
     marcher m = {.bonds = force_of_form, .context = form, .load = load, .mass = mass, .free_count = form->free_count,
                  .count = count, .frequency = frequency, .now = u};
     PDMC_TRY(check_steps(step, steps));
@@ -108,7 +108,7 @@ pdmc_status pdmc_form_march(const pdmc_form *form, const pdmc_form *mass, int co
     for (int done = 0; done < steps; done++) PDMC_TRY(step_once(&m, step, done));
     prescribe(&m, steps * step);
 done:
-    pdmc_bond_factor_destroy(&factor);
+    pdmc_sparse_factor_destroy(&factor);
     march_clear(&m);
     return status;
 }
@@ -148,7 +148,7 @@ pdmc_status pdmc_law_bonds_march(const pdmc_law_bonds *bonds, const pdmc_form *m
                              double u[], double *drift)
 {
     pdmc_status status = PDMC_OK;
-    pdmc_bond_factor *factor = NULL;
+    pdmc_sparse_factor *factor = NULL;
     double *earlier = NULL, *velocity = NULL;
     balance b = {0};
     const pdmc_space *space = bonds->assembly.space;
@@ -166,7 +166,7 @@ pdmc_status pdmc_law_bonds_march(const pdmc_law_bonds *bonds, const pdmc_form *m
     }
     *drift = b.kinetic > 0.0 ? b.drift / b.kinetic : 0.0;
 done:
-    pdmc_bond_factor_destroy(&factor);
+    pdmc_sparse_factor_destroy(&factor);
     march_clear(&m);
     pdmc_free(earlier);
     pdmc_free(velocity);

@@ -15,7 +15,7 @@ static pdmc_solver_report report(const void *method)
         .unknowns = plate->unknowns,
         .rows = plate->unknowns,
         .rank = plate->unknowns,
-        .condition = pdmc_bond_factor_condition(plate->factor),
+        .condition = pdmc_sparse_factor_condition(plate->factor),
         .residual = plate->residual,
         .horizon = plate->problem->solver.horizon,
         .spacing = plate->problem->solver.spacing,

@@ -58,7 +58,7 @@ static pdmc_status find_step(newton *n, int iteration)
 {
     pdmc_status status = PDMC_OK;
     pdmc_form tangent = {0};
-    pdmc_bond_factor *factor = NULL;
+    pdmc_sparse_factor *factor = NULL;
     PDMC_TRY(pdmc_law_bonds_tangent(n->bonds, n->u, &tangent));
     status = pdmc_form_factor(&tangent, &factor);
     if (status == PDMC_ERR_SINGULAR)
@@ -67,9 +67,9 @@ static pdmc_status find_step(newton *n, int iteration)
                   "the elements",
                   iteration + 1);
     PDMC_TRY(status);
-    PDMC_TRY(pdmc_bond_factor_solve(factor, 1, n->residual, n->step));
+    PDMC_TRY(pdmc_sparse_factor_solve(factor, 1, n->residual, n->step));
 done:
-    pdmc_bond_factor_destroy(&factor);
+    pdmc_sparse_factor_destroy(&factor);
     pdmc_form_clear(&tangent);
     return status;
 }

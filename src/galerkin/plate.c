@@ -54,11 +54,11 @@ done:
 static pdmc_status factor_mean(pdmc_plate_elements *plate, const double weight[])
 {
     pdmc_status status = PDMC_OK;
-    pdmc_bond_matrix matrix = {0};
+    pdmc_sparse_matrix matrix = {0};
     PDMC_TRY(pdmc_plate_form_matrix(&plate->form, weight, plate->held, &matrix));
-    PDMC_TRY(pdmc_bond_factor_create(&matrix, NULL, NULL, &plate->factor));
+    PDMC_TRY(pdmc_sparse_factor_create(&matrix, NULL, NULL, &plate->factor));
 done:
-    pdmc_bond_matrix_clear(&matrix);
+    pdmc_sparse_matrix_clear(&matrix);
     return status;
 }
 
@@ -67,7 +67,7 @@ static bool is_held(const pdmc_plate_elements *plate, int unknown)
     return plate->held[unknown / 2] & (1U << (unknown % 2));
 }
 
-pdmc_status pdmc_plate_elements_solve(const pdmc_plate_elements *plate, const pdmc_bond_factor *factor,
+pdmc_status pdmc_plate_elements_solve(const pdmc_plate_elements *plate, const pdmc_sparse_factor *factor,
                                       const double weight[], const double scale[], double x[])
 {
     pdmc_status status = PDMC_OK;
@@ -78,7 +78,7 @@ pdmc_status pdmc_plate_elements_solve(const pdmc_plate_elements *plate, const pd
     for (int k = 0; k < n; k++) x[k] = scale[0] * (is_held(plate, k) ? plate->prescribed[k] : -force[k]);
     for (int l = 0; l < plate->loads.count; l++)
         cblas_daxpy(n, scale[1 + l], &plate->load[(size_t)l * (size_t)n], 1, x, 1);
-    PDMC_TRY(pdmc_bond_factor_solve(factor, 1, x, x));
+    PDMC_TRY(pdmc_sparse_factor_solve(factor, 1, x, x));
 done:
     pdmc_free(force);
     return status;
@@ -159,7 +159,7 @@ void pdmc_plate_elements_destroy(pdmc_plate_elements **plate)
 {
     pdmc_plate_elements *old = *plate;
     if (!old) return;
-    pdmc_bond_factor_destroy(&old->factor);
+    pdmc_sparse_factor_destroy(&old->factor);
     pdmc_plate_form_clear(&old->form);
     pdmc_load_cases_clear(&old->loads);
     pdmc_mesh_locator_clear(&old->locator);

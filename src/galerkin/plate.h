@@ -4,12 +4,12 @@
 /// The cracked plate of bonds by finite elements, static and linearised: linear triangles, bonds of the horizon that cracks
 /// cut exactly where they do. It solves the same problem as the collocation over visible nodes and the grid of bonds.
 
-#include "bond/factor.h"
 #include "galerkin/plate_form.h"
 #include "mesh/locate.h"
 #include "pdmc/affine.h"
 #include "pdmc/load_cases.h"
 #include "pdmc/results.h"
+#include "sparse/factor.h"
 
 /// The elements round the nodes of a mesh.
 typedef struct {
@@ -26,9 +26,9 @@ typedef struct {
     pdmc_mesh_locator locator;
     pdmc_node_elements around;
     pdmc_plate_form form;
-    uint8_t *held;            // [values] bits: 1 where u is held, 2 where v is
-    double *prescribed;       // [unknowns] length; 0 where free
-    pdmc_bond_factor *factor; // of the mean operator
+    uint8_t *held;              // [values] bits: 1 where u is held, 2 where v is
+    double *prescribed;         // [unknowns] length; 0 where free
+    pdmc_sparse_factor *factor; // of the mean operator
     pdmc_load_cases loads;
     double *load;     // [cases of the loads, unknowns] force / thickness of the tractions; 0 where held
     double *solution; // [1 + cases, unknowns] answers to the prescribed displacements, and to these
@@ -52,7 +52,7 @@ void pdmc_plate_elements_destroy(pdmc_plate_elements **plate);
 /// Solves sum_p weight_p K_p x = scale[0] times the prescribed displacements and scale[1 + l] times case l of the loads.
 /// @param[in]  factor  of the operator with these weights
 /// @param[out] x       [unknowns]
-PDMC_NODISCARD pdmc_status pdmc_plate_elements_solve(const pdmc_plate_elements *plate, const pdmc_bond_factor *factor,
+PDMC_NODISCARD pdmc_status pdmc_plate_elements_solve(const pdmc_plate_elements *plate, const pdmc_sparse_factor *factor,
                                                      const double weight[], const double scale[], double x[]);
 
 /// Fills plate->held and plate->prescribed from the supports (plate_support.c): the values of elements beyond a side that

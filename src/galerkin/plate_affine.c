@@ -17,7 +17,7 @@ static pdmc_status apply(const void *method, int q, const double v[], double out
     pdmc_plate_form_multiply(&plate->form, weight, v, out);
     for (int k = 0; k < plate->unknowns; k++)
         if (plate->held[k / 2] & (1U << (k % 2))) out[k] = 0.0;
-    return pdmc_bond_factor_solve(plate->factor, 1, out, out);
+    return pdmc_sparse_factor_solve(plate->factor, 1, out, out);
 }
 
 static pdmc_status solve(const void *method, const double xi[], const double scale[], double u[])
@@ -26,15 +26,15 @@ static pdmc_status solve(const void *method, const double xi[], const double sca
     const pdmc_plate_elements *plate = method;
     const bool is_random = pdmc_problem_uncertainty(plate->problem, PDMC_QUANTITY_MICROMODULUS) != NULL;
     double weight[PDMC_PLATE_PLANES];
-    pdmc_bond_matrix matrix = {0};
-    pdmc_bond_factor *factor = NULL;
+    pdmc_sparse_matrix matrix = {0};
+    pdmc_sparse_factor *factor = NULL;
     for (int p = 0; p < plate->form.planes; p++) weight[p] = is_random ? 1.0 + xi[p] : 1.0;
     PDMC_TRY(pdmc_plate_form_matrix(&plate->form, weight, plate->held, &matrix));
-    PDMC_TRY(pdmc_bond_factor_create(&matrix, plate->factor, NULL, &factor));
+    PDMC_TRY(pdmc_sparse_factor_create(&matrix, plate->factor, NULL, &factor));
     PDMC_TRY(pdmc_plate_elements_solve(plate, factor, weight, scale, u));
 done:
-    pdmc_bond_factor_destroy(&factor);
-    pdmc_bond_matrix_clear(&matrix);
+    pdmc_sparse_factor_destroy(&factor);
+    pdmc_sparse_matrix_clear(&matrix);
     return status;
 }
 

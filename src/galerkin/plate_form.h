@@ -6,9 +6,9 @@
 /// over all pairs of points whose bond is no longer than the horizon and crosses no crack, in planes: one for each of equal
 /// bins of the radius.
 
-#include "bond/stiffness.h"
 #include "pdmc/galerkin.h"
 #include "pdmc/problem.h"
+#include "sparse/matrix.h"
 
 enum { PDMC_PLATE_PLANES = 16 };
 
@@ -41,6 +41,6 @@ void pdmc_plate_form_multiply(const pdmc_plate_form *form, const double weight[]
 
 /// sum_p weight_p K_p as a matrix for a factor; held unknowns have a 1 on the diagonal and nothing else.
 /// @param[in]  held    [count] bits: 1 where u is held, 2 where v is
-/// @param[out] matrix  free with pdmc_bond_matrix_clear(); zero on failure
+/// @param[out] matrix  free with pdmc_sparse_matrix_clear(); zero on failure
 PDMC_NODISCARD pdmc_status pdmc_plate_form_matrix(const pdmc_plate_form *form, const double weight[],
-                                                  const uint8_t held[], pdmc_bond_matrix *matrix);
+                                                  const uint8_t held[], pdmc_sparse_matrix *matrix);

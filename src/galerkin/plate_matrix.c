@@ -34,7 +34,7 @@ void pdmc_plate_form_multiply(const pdmc_plate_form *form, const double weight[]
 
 // Column `component` of value j, from the diagonal down; counts only where there is no matrix.
 static int64_t visit_column(const pdmc_plate_form *form, const double weight[], const uint8_t held[], int j,
-                            int component, int64_t at, pdmc_bond_matrix *matrix)
+                            int component, int64_t at, pdmc_sparse_matrix *matrix)
 {
     const bool is_held = held[j] & (1U << component);
     for (int64_t k = form->start[j]; k < form->start[j + 1]; k++) {
@@ -56,11 +56,11 @@ static int64_t visit_column(const pdmc_plate_form *form, const double weight[], 
 }
 
 pdmc_status pdmc_plate_form_matrix(const pdmc_plate_form *form, const double weight[], const uint8_t held[],
-                                   pdmc_bond_matrix *matrix)
+                                   pdmc_sparse_matrix *matrix)
 {
     pdmc_status status = PDMC_OK;
-    pdmc_bond_matrix made = {.unknowns = 2 * form->count};
-    *matrix = (pdmc_bond_matrix){0};
+    pdmc_sparse_matrix made = {.unknowns = 2 * form->count};
+    *matrix = (pdmc_sparse_matrix){0};
     PDMC_NEW(made.start, made.unknowns + 1);
     for (int k = 0; k < made.unknowns; k++)
         made.start[k + 1] = visit_column(form, weight, held, k / 2, k % 2, made.start[k], NULL);
@@ -68,8 +68,8 @@ pdmc_status pdmc_plate_form_matrix(const pdmc_plate_form *form, const double wei
     PDMC_NEW(made.value, made.start[made.unknowns]);
     for (int k = 0; k < made.unknowns; k++) visit_column(form, weight, held, k / 2, k % 2, made.start[k], &made);
     *matrix = made;
-    made = (pdmc_bond_matrix){0};
+    made = (pdmc_sparse_matrix){0};
 done:
-    pdmc_bond_matrix_clear(&made);
+    pdmc_sparse_matrix_clear(&made);
     return status;
 }

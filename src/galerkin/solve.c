@@ -6,7 +6,7 @@
 #include <string.h>
 
 // The free rows: the rows of each column that come before those of prescribed values.
-static pdmc_status free_part(const pdmc_form *form, pdmc_bond_matrix *matrix)
+static pdmc_status free_part(const pdmc_form *form, pdmc_sparse_matrix *matrix)
 {
     pdmc_status status = PDMC_OK;
     const int n = form->free_count;
@@ -26,16 +26,16 @@ done:
     return status;
 }
 
-pdmc_status pdmc_form_factor(const pdmc_form *form, pdmc_bond_factor **factor)
+pdmc_status pdmc_form_factor(const pdmc_form *form, pdmc_sparse_factor **factor)
 {
     pdmc_status status = PDMC_OK;
     const double condition_limit = 1e13; // zero but for the rounding of the pivots
-    pdmc_bond_matrix matrix = {0};
-    pdmc_bond_factor *made = NULL;
+    pdmc_sparse_matrix matrix = {0};
+    pdmc_sparse_factor *made = NULL;
     pdmc_blas_prepare();
     PDMC_TRY(free_part(form, &matrix));
-    status = pdmc_bond_factor_create(&matrix, NULL, NULL, &made);
-    if (status == PDMC_OK && pdmc_bond_factor_condition(made) > condition_limit) status = PDMC_ERR_SINGULAR;
+    status = pdmc_sparse_factor_create(&matrix, NULL, NULL, &made);
+    if (status == PDMC_OK && pdmc_sparse_factor_condition(made) > condition_limit) status = PDMC_ERR_SINGULAR;
     if (status == PDMC_ERR_SINGULAR)
         PDMC_FAIL(status,
                   "the form is not positive definite: some elements are not held by others, as where points inside "
@@ -44,8 +44,8 @@ pdmc_status pdmc_form_factor(const pdmc_form *form, pdmc_bond_factor **factor)
     *factor = made;
     made = NULL;
 done:
-    pdmc_bond_factor_destroy(&made);
-    pdmc_bond_matrix_clear(&matrix);
+    pdmc_sparse_factor_destroy(&made);
+    pdmc_sparse_matrix_clear(&matrix);
     return status;
 }
 
@@ -53,16 +53,16 @@ pdmc_status pdmc_form_solve(const pdmc_form *form, const double load[], double u
 {
     pdmc_status status = PDMC_OK;
     const int n = form->free_count;
-    pdmc_bond_factor *factor = NULL;
+    pdmc_sparse_factor *factor = NULL;
     double *rest = NULL;
     PDMC_NEW(rest, n);
     PDMC_TRY(pdmc_form_factor(form, &factor));
     memset(u, 0, (size_t)n * sizeof *u);
     pdmc_form_multiply(form, u, rest); // what the prescribed values do
     for (int i = 0; i < n; i++) rest[i] = load[i] - rest[i];
-    PDMC_TRY(pdmc_bond_factor_solve(factor, 1, rest, u));
+    PDMC_TRY(pdmc_sparse_factor_solve(factor, 1, rest, u));
 done:
-    pdmc_bond_factor_destroy(&factor);
+    pdmc_sparse_factor_destroy(&factor);
     pdmc_free(rest);
     return status;
 }

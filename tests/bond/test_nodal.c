@@ -164,7 +164,7 @@ static void the_matrix_is_that_of_the_products(void **state)
     const size_t n = v.n, shells = (size_t)plate->horizon.shells;
     double *factor = draw_many(B * shells, 0.5, 1.5), *both = draw_many(B * n, 0.0, 0.0),
            *node = draw_many(v.nodes, 0.0, 0.0);
-    pdmc_bond_matrix matrix;
+    pdmc_sparse_matrix matrix;
     release_held(&v, v.x);
     for (int i = 0; i < plate->grid.nodes; i++) node[i] = factor_at(&v, 0.0, 0, i);
     CHECK_OK(pdmc_bond_matrix_create(plate, &(pdmc_bond_moduli){factor, node}, &matrix));
@@ -182,7 +182,7 @@ static void the_matrix_is_that_of_the_products(void **state)
     test_free(factor);
     test_free(both);
     test_free(node);
-    pdmc_bond_matrix_clear(&matrix);
+    pdmc_sparse_matrix_clear(&matrix);
     varying_clear(&v);
 }
 

@@ -23,7 +23,7 @@ static double *draw_many(size_t count, double low, double high)
 // The full matrix, both triangles. [n, n]
 static double *dense(const pdmc_bond_plate *plate, const double factor[])
 {
-    pdmc_bond_matrix matrix;
+    pdmc_sparse_matrix matrix;
     CHECK_OK(pdmc_bond_matrix_create(plate, &(pdmc_bond_moduli){.shell = factor}, &matrix));
     const size_t n = (size_t)matrix.unknowns;
     double *full = test_calloc(n * n, sizeof *full);
@@ -36,7 +36,7 @@ static double *dense(const pdmc_bond_plate *plate, const double factor[])
             full[row * n + column] = full[column * n + row] = matrix.value[k];
         }
     }
-    pdmc_bond_matrix_clear(&matrix);
+    pdmc_sparse_matrix_clear(&matrix);
     return full;
 }
 
@@ -339,7 +339,7 @@ static void failures_are_clean(void **state)
 {
     (void)state;
     bond_plate p;
-    pdmc_bond_matrix matrix;
+    pdmc_sparse_matrix matrix;
     bond_plate_describe(&p, 4, 4, 2.0);
     bond_plate_make(&p, 1);
     const size_t n = 2 * (size_t)p.made.grid.nodes, shells = (size_t)p.made.horizon.shells;
@@ -348,7 +348,7 @@ static void failures_are_clean(void **state)
     CHECK_FAILS_CLEANLY(pdmc_bond_multiply(&p.made, 1, factor, x, y), (void)0);
     CHECK_FAILS_CLEANLY(pdmc_bond_shell_project(&p.made, 1, 1, x, 1, x, y), (void)0);
     const pdmc_bond_moduli moduli = {.shell = factor};
-    CHECK_FAILS_CLEANLY(pdmc_bond_matrix_create(&p.made, &moduli, &matrix), pdmc_bond_matrix_clear(&matrix));
+    CHECK_FAILS_CLEANLY(pdmc_bond_matrix_create(&p.made, &moduli, &matrix), pdmc_sparse_matrix_clear(&matrix));
     test_free(factor);
     test_free(y);
     test_free(x);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/finite_element_impl.h"
 
-#include "bond/factor.h"
+#include "sparse/factor.h"
 
 #include <cholmod.h>
 #include <math.h>
@@ -112,7 +112,7 @@ static void fill(const finite_element_solution *s, cholmod_triplet *out)
     for (int k = 0; k < HELD; k++) append(out, held[k], held[k], s->mu);
 }
 
-static pdmc_status factor(const finite_element_solution *s, pdmc_bond_factor **out)
+static pdmc_status factor(const finite_element_solution *s, pdmc_sparse_factor **out)
 {
     pdmc_status status = PDMC_OK;
     const size_t unknowns = 2 * (size_t)s->mesh.nodes;
@@ -125,8 +125,8 @@ static pdmc_status factor(const finite_element_solution *s, pdmc_bond_factor **o
     fill(s, parts);
     sum = cholmod_l_triplet_to_sparse(parts, 0, &common);
     if (!sum) PDMC_FAIL(PDMC_ERR_NOMEM, "no memory for %zu entries", entries);
-    const pdmc_bond_matrix matrix = {.unknowns = (int)unknowns, .start = sum->p, .row = sum->i, .value = sum->x};
-    PDMC_TRY(pdmc_bond_factor_create(&matrix, NULL, NULL, out));
+    const pdmc_sparse_matrix matrix = {.unknowns = (int)unknowns, .start = sum->p, .row = sum->i, .value = sum->x};
+    PDMC_TRY(pdmc_sparse_factor_create(&matrix, NULL, NULL, out));
 done:
     cholmod_l_free_sparse(&sum, &common);
     cholmod_l_free_triplet(&parts, &common);
@@ -165,7 +165,7 @@ static void load_sides(const finite_element_solution *s, double load[])
 static pdmc_status solve(finite_element_solution *s)
 {
     pdmc_status status = PDMC_OK;
-    pdmc_bond_factor *inverse = NULL;
+    pdmc_sparse_factor *inverse = NULL;
     double *load = NULL;
     int held[HELD];
     PDMC_NEW(load, 2 * s->mesh.nodes);
@@ -173,10 +173,10 @@ static pdmc_status solve(finite_element_solution *s)
     hold(&s->mesh, held);
     for (int k = 0; k < HELD; k++) load[held[k]] = 0.0;
     PDMC_TRY(factor(s, &inverse));
-    PDMC_TRY(pdmc_bond_factor_solve(inverse, 1, load, s->displacement));
+    PDMC_TRY(pdmc_sparse_factor_solve(inverse, 1, load, s->displacement));
     for (int k = 0; k < 2 * s->mesh.nodes; k++) s->potential_energy -= 0.5 * load[k] * s->displacement[k];
 done:
-    pdmc_bond_factor_destroy(&inverse);
+    pdmc_sparse_factor_destroy(&inverse);
     pdmc_free(load);
     return status;
 }

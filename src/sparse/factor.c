@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bond/factor.h"
+#include "sparse/factor.h"
 
 #include <cholmod.h>
 #include <omp.h>
 #include <string.h>
 
-struct pdmc_bond_factor {
+struct pdmc_sparse_factor {
     cholmod_common common;
     cholmod_factor *factor;
 };
@@ -23,8 +23,8 @@ static pdmc_status failure(const cholmod_common *common, const char *what)
     case CHOLMOD_OK: return PDMC_OK;
     case CHOLMOD_NOT_POSDEF:
         return pdmc_raise(PDMC_ERR_SINGULAR,
-                          "the stiffness of the bonds is not positive definite: a part of the plate is "
-                          "not held by bonds, or too many bonds have a negative micromodulus");
+                          "the stiffness of the bonds is not positive definite: a part of the plate is not held by "
+                          "bonds, or too many bonds have a negative micromodulus");
     case CHOLMOD_OUT_OF_MEMORY: return pdmc_raise(PDMC_ERR_NOMEM, "out of memory: %s", what);
     default: return pdmc_raise(PDMC_ERR_EXTERN, "%s returned %d", what, common->status);
     }
@@ -45,7 +45,7 @@ static void allow_threads(int levels)
 }
 
 // A view of our matrix as theirs; nothing is copied.
-static cholmod_sparse view_of(const pdmc_bond_matrix *matrix)
+static cholmod_sparse view_of(const pdmc_sparse_matrix *matrix)
 {
     return (cholmod_sparse){
         .nrow = (size_t)matrix->unknowns,
@@ -72,12 +72,12 @@ static cholmod_factor *symbolic_copy(cholmod_factor *pattern, cholmod_common *co
     return copy;
 }
 
-pdmc_status pdmc_bond_factor_create(const pdmc_bond_matrix *matrix, const pdmc_bond_factor *pattern, int64_t order[],
-                                    pdmc_bond_factor **factor)
+pdmc_status pdmc_sparse_factor_create(const pdmc_sparse_matrix *matrix, const pdmc_sparse_factor *pattern,
+                                      int64_t order[], pdmc_sparse_factor **factor)
 {
     pdmc_status status = PDMC_OK;
     cholmod_sparse view = view_of(matrix);
-    pdmc_bond_factor *made = NULL;
+    pdmc_sparse_factor *made = NULL;
     PDMC_NEW(made, 1);
     prepare(&made->common);
     if (order) { // that one, and no other is tried
@@ -94,13 +94,13 @@ pdmc_status pdmc_bond_factor_create(const pdmc_bond_matrix *matrix, const pdmc_b
     *factor = made;
     made = NULL;
 done:
-    pdmc_bond_factor_destroy(&made);
+    pdmc_sparse_factor_destroy(&made);
     return status;
 }
 
-void pdmc_bond_factor_destroy(pdmc_bond_factor **factor)
+void pdmc_sparse_factor_destroy(pdmc_sparse_factor **factor)
 {
-    pdmc_bond_factor *old = *factor;
+    pdmc_sparse_factor *old = *factor;
     if (!old) return;
     cholmod_l_free_factor(&old->factor, &old->common);
     cholmod_l_finish(&old->common);
@@ -120,7 +120,7 @@ static cholmod_dense dense_view(size_t rows, size_t columns, double values[])
 }
 
 // Solves with each of the parts in turn; x may be b.
-static pdmc_status solve_parts(const pdmc_bond_factor *factor, int count, const int parts[], int columns,
+static pdmc_status solve_parts(const pdmc_sparse_factor *factor, int count, const int parts[], int columns,
                                const double b[], double x[])
 {
     pdmc_status status = PDMC_OK;
@@ -139,19 +139,19 @@ static pdmc_status solve_parts(const pdmc_bond_factor *factor, int count, const 
     return status;
 }
 
-pdmc_status pdmc_bond_factor_solve(const pdmc_bond_factor *factor, int columns, const double b[], double x[])
+pdmc_status pdmc_sparse_factor_solve(const pdmc_sparse_factor *factor, int columns, const double b[], double x[])
 {
     const int whole[1] = {CHOLMOD_A};
     return solve_parts(factor, 1, whole, columns, b, x);
 }
 
-pdmc_status pdmc_bond_factor_color(const pdmc_bond_factor *factor, int columns, const double b[], double x[])
+pdmc_status pdmc_sparse_factor_color(const pdmc_sparse_factor *factor, int columns, const double b[], double x[])
 {
     const int parts[2] = {CHOLMOD_Lt, CHOLMOD_Pt};
     return solve_parts(factor, 2, parts, columns, b, x);
 }
 
-double pdmc_bond_factor_condition(const pdmc_bond_factor *factor)
+double pdmc_sparse_factor_condition(const pdmc_sparse_factor *factor)
 {
     cholmod_common common;
     prepare(&common);
