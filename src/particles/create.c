@@ -47,7 +47,7 @@ static double repulsion_of(const pdmc_particles_options *o)
     return o->contact_stiffness * least / o->horizon;
 }
 
-static void lay_fibres(const pdmc_brittle_material *material, pdmc_bond_law *law)
+static void lay_fibres(const pdmc_brittle_material *material, pdmc_brittle_law *law)
 {
     const double *g = material->fibre, length = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
     if (length == 0.0) return;
@@ -64,7 +64,7 @@ static pdmc_status copy_materials(const pdmc_particles_options *o, pdmc_particle
     for (int m = 0; m < o->material_count; m++) {
         const pdmc_brittle_material *material = &o->materials[m];
         p->density[m] = material->density;
-        p->laws[m] = (pdmc_bond_law){.micromodulus = material->micromodulus,
+        p->laws[m] = (pdmc_brittle_law){.micromodulus = material->micromodulus,
                                      .critical_stretch = material->critical_stretch,
                                      .strengthening = material->strengthening};
         lay_fibres(material, &p->laws[m]);

@@ -16,7 +16,7 @@ typedef struct {
 /// What moves.
 typedef struct {
     const pdmc_nodes *nodes;
-    const pdmc_bond_law *laws;         // [materials]
+    const pdmc_brittle_law *laws;         // [materials]
     const pdmc_variation *variation;
     const double *density;             // [materials]
     const double *position[PDMC_AXES]; // [cells]

@@ -13,7 +13,7 @@
 
 typedef struct {
     const pdmc_nodes *nodes;
-    const pdmc_bond_law *laws;         // [materials]
+    const pdmc_brittle_law *laws;         // [materials]
     const pdmc_joints *joints;         // of bodies
     double repulsion;                  // force / length^7: of two nodes, by distance and by both nodes' volumes
     bool energies;                     // whether elastic and contact are wanted, instead of the forces

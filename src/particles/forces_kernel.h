@@ -8,7 +8,7 @@
 /// Where it is not known to the compiler, as in everything that is done seldom: once a version would be too much code.
 static bond_kind kind_of(const pdmc_forces *f, int b)
 {
-    const pdmc_bond_law *law = &f->laws[f->nodes->blocks[b].material];
+    const pdmc_brittle_law *law = &f->laws[f->nodes->blocks[b].material];
     const bool joined = f->nodes->blocks[b].joined;
     const bool varied = joined || f->linear || f->stiffness || law->strengths || law->fibre_excess != 0.0;
     return (bond_kind){.scattered = f->nodes->partner,

@@ -39,7 +39,7 @@ static double harmonic_mean(double a, double b)
 }
 
 /// What bonds inside a body are.
-static void join_alike(const pdmc_bond_law *law, size_t at, pdmc_joints *j)
+static void join_alike(const pdmc_brittle_law *law, size_t at, pdmc_joints *j)
 {
     j->bonded[at] = true;
     j->micromodulus[at] = law->micromodulus;
@@ -47,10 +47,10 @@ static void join_alike(const pdmc_bond_law *law, size_t at, pdmc_joints *j)
 }
 
 /// Bonds between two bodies: by the interface, and where that does not say it by the materials of both.
-static void join(const pdmc_particles_options *o, const pdmc_bond_law laws[], int a, int b, size_t at, pdmc_joints *j)
+static void join(const pdmc_particles_options *o, const pdmc_brittle_law laws[], int a, int b, size_t at, pdmc_joints *j)
 {
     const bool is_alike = o->bodies[a].material == o->bodies[b].material;
-    const pdmc_bond_law *law = &laws[o->bodies[a].material], *other = &laws[o->bodies[b].material];
+    const pdmc_brittle_law *law = &laws[o->bodies[a].material], *other = &laws[o->bodies[b].material];
     const int by_bodies = find_interface(o, true, a, b);
     if (by_bodies < 0 && pdmc_whole_body(o, a) != pdmc_whole_body(o, b)) return;
     const int i = by_bodies >= 0 ? by_bodies : find_interface(o, false, a, b);
@@ -127,7 +127,7 @@ static pdmc_status check(const pdmc_particles_options *o)
     return status;
 }
 
-pdmc_status pdmc_joints_create(const pdmc_particles_options *o, const pdmc_bond_law laws[], pdmc_joints *j)
+pdmc_status pdmc_joints_create(const pdmc_particles_options *o, const pdmc_brittle_law laws[], pdmc_joints *j)
 {
     pdmc_status status = PDMC_OK;
     if (!any_joints(o)) return PDMC_OK;

@@ -26,7 +26,7 @@ int16_t pdmc_part_at(const pdmc_particles_options *options, int body, const doub
 /// @param[in]  laws    [materials]
 /// @param[out] joints  clear with pdmc_joints_clear(), whatever is returned
 /// @return PDMC_OK; PDMC_ERR_ARG where an interface names what is not there; PDMC_ERR_NOMEM
-PDMC_NODISCARD pdmc_status pdmc_joints_create(const pdmc_particles_options *options, const pdmc_bond_law laws[],
+PDMC_NODISCARD pdmc_status pdmc_joints_create(const pdmc_particles_options *options, const pdmc_brittle_law laws[],
                                               pdmc_joints *joints);
 void pdmc_joints_clear(pdmc_joints *joints);
 

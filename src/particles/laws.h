@@ -10,4 +10,4 @@ typedef struct {
     double fibre[PDMC_AXES]; // unit vector
     double fibre_excess;     // c along it over c, less 1; 0: all directions are alike
     const double *strengths; // [PDMC_STRENGTH_CLASSES] factors of s_0, by the hash of a bond; NULL: all 1
-} pdmc_bond_law;
+} pdmc_brittle_law;

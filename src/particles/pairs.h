@@ -20,7 +20,7 @@ typedef struct {
 typedef struct {
     const pdmc_forces *forces;
     const pdmc_block *block;
-    const pdmc_bond_law *law;
+    const pdmc_brittle_law *law;
     bond_kind kind;
     lanes place[PDMC_AXES], reference[PDMC_AXES]; // positions or displacements; where the nodes were, off the grid only
     lanes strength;                               // s_0

@@ -15,7 +15,7 @@ struct pdmc_particles {
     int threads, material_count;
     bool linear;         // stretch
     double *density;     // [materials]
-    pdmc_bond_law *laws; // [materials]
+    pdmc_brittle_law *laws; // [materials]
     pdmc_variation variation;
     pdmc_forces_kernels kernels;
     bool is_single;     // whether bonds are computed in single precision

@@ -16,13 +16,13 @@ static double step_of(bond_sums sums, double density, double bond_damping)
 }
 
 /// On a grid, where no axis is before another, beta^2 is 1 / dimension in the mean over a family.
-static bond_sums whole_family(const pdmc_nodes *g, const pdmc_bond_law *law)
+static bond_sums whole_family(const pdmc_nodes *g, const pdmc_brittle_law *law)
 {
     const double c = law->micromodulus * fmax(1.0, 1.0 + law->fibre_excess / g->dimension);
     return (bond_sums){c * g->stiffest, c * g->heaviest};
 }
 
-static void add_neighbour(const pdmc_nodes *g, const pdmc_variation *v, const pdmc_bond_law *law,
+static void add_neighbour(const pdmc_nodes *g, const pdmc_variation *v, const pdmc_brittle_law *law,
                           const pdmc_block *block, int listed, bond_sums sums[])
 {
     for (unsigned left = g->bonds[block->bonds + (size_t)listed]; left; left &= left - 1) {
@@ -34,7 +34,7 @@ static void add_neighbour(const pdmc_nodes *g, const pdmc_variation *v, const pd
     }
 }
 
-static double step_of_block(const pdmc_nodes *g, const pdmc_variation *v, const pdmc_bond_law laws[],
+static double step_of_block(const pdmc_nodes *g, const pdmc_variation *v, const pdmc_brittle_law laws[],
                             const double density[], double bond_damping, const pdmc_block *block)
 {
     bond_sums sums[PDMC_LANES] = {{0.0, 0.0}};
@@ -45,12 +45,12 @@ static double step_of_block(const pdmc_nodes *g, const pdmc_variation *v, const 
     return least;
 }
 
-static bool are_alike(const pdmc_nodes *g, const pdmc_variation *v, const pdmc_bond_law *law)
+static bool are_alike(const pdmc_nodes *g, const pdmc_variation *v, const pdmc_brittle_law *law)
 {
     return !v->stiffness && (law->fibre_excess == 0.0 || !g->partner);
 }
 
-double pdmc_bonds_stable_step(const pdmc_nodes *g, const pdmc_variation *v, int materials, const pdmc_bond_law laws[],
+double pdmc_bonds_stable_step(const pdmc_nodes *g, const pdmc_variation *v, int materials, const pdmc_brittle_law laws[],
                               const double density[], double bond_damping)
 {
     double least = INFINITY;

@@ -9,4 +9,4 @@
 /// all bonds of a material are alike it is that of a whole family, whether there is one or not.
 /// @param[in] density  [materials]
 double pdmc_bonds_stable_step(const pdmc_nodes *nodes, const pdmc_variation *variation, int materials,
-                              const pdmc_bond_law laws[], const double density[], double bond_damping);
+                              const pdmc_brittle_law laws[], const double density[], double bond_damping);

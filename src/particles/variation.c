@@ -80,7 +80,7 @@ done:
     return status;
 }
 
-static void multiply_by_laws(const pdmc_nodes *g, const pdmc_bond_law laws[], double first_strength[])
+static void multiply_by_laws(const pdmc_nodes *g, const pdmc_brittle_law laws[], double first_strength[])
 {
     for (int b = 0; first_strength && b < g->block_count; b++)
         for (unsigned left = g->blocks[b].nodes; left; left &= left - 1)
@@ -88,7 +88,7 @@ static void multiply_by_laws(const pdmc_nodes *g, const pdmc_bond_law laws[], do
                 laws[g->blocks[b].material].critical_stretch;
 }
 
-static pdmc_status copy_strengths(const pdmc_particles_options *o, pdmc_bond_law laws[], pdmc_variation *v)
+static pdmc_status copy_strengths(const pdmc_particles_options *o, pdmc_brittle_law laws[], pdmc_variation *v)
 {
     pdmc_status status = PDMC_OK;
     bool any = false;
@@ -113,7 +113,7 @@ static pdmc_hash_key draw_key(const pdmc_particles_options *o)
     return (pdmc_hash_key){(uint32_t)(u[0] * words), (uint32_t)(u[1] * words)};
 }
 
-pdmc_status pdmc_variation_create(const pdmc_particles_options *o, const pdmc_nodes *g, pdmc_bond_law laws[],
+pdmc_status pdmc_variation_create(const pdmc_particles_options *o, const pdmc_nodes *g, pdmc_brittle_law laws[],
                                   pdmc_variation *v)
 {
     pdmc_status status = PDMC_OK;
@@ -152,7 +152,7 @@ static double along_fibres(const pdmc_nodes *g, const double fibre[], double exc
     return square > 0.0 ? 1.0 + excess * beta * beta / square : 1.0;
 }
 
-double pdmc_variation_micromodulus(const pdmc_variation *v, const pdmc_nodes *g, const pdmc_bond_law *law, size_t cell,
+double pdmc_variation_micromodulus(const pdmc_variation *v, const pdmc_nodes *g, const pdmc_brittle_law *law, size_t cell,
                                    size_t other)
 {
     const double factor = v->stiffness ? 0.5 * (v->stiffness[cell] + v->stiffness[other]) : 1.0;

@@ -18,10 +18,10 @@ typedef struct {
 /// @param[in,out] variation  that has the joints; clear with pdmc_variation_clear(), whatever is returned
 /// @return PDMC_OK; PDMC_ERR_ARG where factors are of another number of nodes, or not positive; PDMC_ERR_NOMEM
 PDMC_NODISCARD pdmc_status pdmc_variation_create(const pdmc_particles_options *options, const pdmc_nodes *nodes,
-                                                 pdmc_bond_law laws[], pdmc_variation *variation);
+                                                 pdmc_brittle_law laws[], pdmc_variation *variation);
 void pdmc_variation_clear(pdmc_variation *variation);
 
 /// c of the bond between two cells: that of the law or of the bodies' joint, by the mean of the nodes' factors, and larger along
 /// fibres. @param[in] law  of the first cell's node
-double pdmc_variation_micromodulus(const pdmc_variation *variation, const pdmc_nodes *nodes, const pdmc_bond_law *law,
+double pdmc_variation_micromodulus(const pdmc_variation *variation, const pdmc_nodes *nodes, const pdmc_brittle_law *law,
                                    size_t cell, size_t other);

@@ -26,7 +26,7 @@ typedef struct {
     pdmc_body bodies[BODIES];
     pdmc_interface interface;
     pdmc_joints joints;
-    pdmc_bond_law law[2];
+    pdmc_brittle_law law[2];
     pdmc_forces forces;
     double *position[PDMC_AXES], *velocity[PDMC_AXES], *force[PDMC_AXES], *strength, *next_strength, *stiffness,
         *relative, *fracture, *elastic, *contact;
@@ -58,7 +58,7 @@ static void make_strengths(setting *t)
 
 static void make_laws(setting *t)
 {
-    t->law[0] = (pdmc_bond_law){.micromodulus = 2.0, .critical_stretch = 0.05, .strengthening = t->kind.strengthening};
+    t->law[0] = (pdmc_brittle_law){.micromodulus = 2.0, .critical_stretch = 0.05, .strengthening = t->kind.strengthening};
     t->law[1] = t->law[0];
     t->law[1].micromodulus *= softer;
     if (t->kind.fibres) t->law[0].fibre_excess = 2.5, t->law[0].fibre[0] = 0.6, t->law[0].fibre[2] = 0.8;
@@ -185,7 +185,7 @@ static double weight_of(double length)
 }
 
 /// c of a bond over that of the law (eq. 10 of the paper), without the factors of nodes.
-static double directed(const pdmc_bond_law *law, const double along[], double length)
+static double directed(const pdmc_brittle_law *law, const double along[], double length)
 {
     double beta = 0.0;
     for (int a = 0; a < PDMC_AXES; a++) beta += law->fibre[a] * along[a] / length;
