@@ -138,7 +138,7 @@ PDMC_API PDMC_NODISCARD pdmc_status pdmc_locator_create(const pdmc_mesh *mesh, p
 /// NULL is allowed; sets the pointer to NULL.
 PDMC_API void pdmc_locator_destroy(pdmc_locator **locator);
 
-/// u at a point of the mesh, on an edge that of the first element; NaN outside.
+/// u at a point of the mesh, on an edge that of one of its elements; NaN outside.
 /// @param[in] u  [count] values of a space on the locator's mesh
 PDMC_API double pdmc_locator_value(const pdmc_locator *locator, const pdmc_space *space, const double u[],
                                    const double x[]);

@@ -13,7 +13,7 @@ pdmc_plate_point pdmc_plate_point_at(const pdmc_plate_elements *plate, const dou
 {
     const double share = 1e-3; // of the way to the anchor: on the face that is meant, and in the element next to x
     const double beside[2] = {x[0] + share * (anchor[0] - x[0]), x[1] + share * (anchor[1] - x[1])};
-    const int e = pdmc_mesh_locate(&plate->locator, beside);
+    const int e = pdmc_mesh_locate(&plate->locator, beside, NULL);
     const pdmc_element element = pdmc_element_of(&plate->mesh, e);
     pdmc_plate_point point;
     memcpy(point.value, &plate->space.value[3 * (size_t)e], sizeof point.value);
@@ -52,7 +52,7 @@ static pdmc_status gradient_at(const void *method, const double x[2], int *count
                                double by_y[])
 {
     const pdmc_plate_elements *plate = method;
-    const int e = pdmc_mesh_locate(&plate->locator, x);
+    const int e = pdmc_mesh_locate(&plate->locator, x, NULL);
     const pdmc_element element = pdmc_element_of(&plate->mesh, e);
     double share[PDMC_CORNERS];
     pdmc_element_coordinates(&element, 2, x, share);

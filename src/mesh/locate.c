@@ -7,22 +7,22 @@
 
 static const double *corner_of(const pdmc_mesh *mesh, int element, int a)
 {
-    return &mesh->x[2 * (size_t)mesh->corner[3 * (size_t)element + (size_t)a]];
+    const size_t d = (size_t)mesh->dimension;
+    return &mesh->x[d * (size_t)mesh->corner[(d + 1) * (size_t)element + (size_t)a]];
 }
 
 static void place_grid(const pdmc_mesh *mesh, pdmc_mesh_locator *out)
 {
-    double upper[2] = {-INFINITY, -INFINITY};
-    const int most = 1 + (int)sqrt(mesh->element_count);
-    for (int d = 0; d < 2; d++) out->origin[d] = INFINITY;
-    for (int n = 0; n < mesh->node_count; n++)
-        for (int d = 0; d < 2; d++) {
-            out->origin[d] = fmin(out->origin[d], mesh->x[2 * (size_t)n + (size_t)d]);
-            upper[d] = fmax(upper[d], mesh->x[2 * (size_t)n + (size_t)d]);
+    const int most = 1 + (int)pow(mesh->element_count, 1.0 / mesh->dimension);
+    for (int d = 0; d < mesh->dimension; d++) {
+        double lower = INFINITY, upper = -INFINITY;
+        for (int n = 0; n < mesh->node_count; n++) {
+            lower = fmin(lower, mesh->x[mesh->dimension * n + d]);
+            upper = fmax(upper, mesh->x[mesh->dimension * n + d]);
         }
-    for (int d = 0; d < 2; d++) {
+        out->origin[d] = lower;
         out->count[d] = most;
-        out->size[d] = (upper[d] - out->origin[d]) / most;
+        out->size[d] = (upper - lower) / most;
     }
 }
 
@@ -31,12 +31,13 @@ static int cell_along(const pdmc_mesh_locator *l, int axis, double x)
     return (int)fmin(fmax(floor((x - l->origin[axis]) / l->size[axis]), 0.0), l->count[axis] - 1.0);
 }
 
-// The cells that the box of a triangle meets, grown a little for points beyond its edges by rounding.
+// The cells that the box of an element meets, grown a little for points beyond its edges by rounding.
 static void find_cells(const pdmc_mesh_locator *l, int element, int first[2], int last[2])
 {
-    for (int d = 0; d < 2; d++) {
+    first[1] = last[1] = 0;
+    for (int d = 0; d < l->mesh->dimension; d++) {
         double low = INFINITY, high = -INFINITY;
-        for (int a = 0; a < 3; a++) {
+        for (int a = 0; a <= l->mesh->dimension; a++) {
             low = fmin(low, corner_of(l->mesh, element, a)[d]);
             high = fmax(high, corner_of(l->mesh, element, a)[d]);
         }
@@ -63,7 +64,7 @@ static void visit(const pdmc_mesh_locator *l, int at[], int element[])
 pdmc_status pdmc_mesh_locator_create(const pdmc_mesh *mesh, pdmc_mesh_locator *out)
 {
     pdmc_status status = PDMC_OK;
-    pdmc_mesh_locator made = {.mesh = mesh};
+    pdmc_mesh_locator made = {.mesh = mesh, .count = {1, 1}};
     *out = made;
     place_grid(mesh, &made);
     const int cells = made.count[0] * made.count[1];
@@ -87,8 +88,14 @@ void pdmc_mesh_locator_clear(pdmc_mesh_locator *locator)
     *locator = (pdmc_mesh_locator){0};
 }
 
-// How far a point is inside a triangle: the least of its barycentric coordinates.
-static double depth(const pdmc_mesh *mesh, int element, const double x[2])
+static double depth_in_interval(const pdmc_mesh *mesh, int element, const double x[])
+{
+    const double *from = corner_of(mesh, element, 0), *to = corner_of(mesh, element, 1);
+    const double along = (*x - *from) / (*to - *from);
+    return fmin(along, 1.0 - along);
+}
+
+static double depth_in_triangle(const pdmc_mesh *mesh, int element, const double x[])
 {
     const double *c[3] = {corner_of(mesh, element, 0), corner_of(mesh, element, 1), corner_of(mesh, element, 2)};
     const double twice = (c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) - (c[1][1] - c[0][1]) * (c[2][0] - c[0][0]);
@@ -100,17 +107,20 @@ static double depth(const pdmc_mesh *mesh, int element, const double x[2])
     return least;
 }
 
-int pdmc_mesh_locate(const pdmc_mesh_locator *l, const double x[2])
+int pdmc_mesh_locate(const pdmc_mesh_locator *l, const double x[], double *depth)
 {
-    const int cell = cell_along(l, 1, x[1]) * l->count[0] + cell_along(l, 0, x[0]);
+    const bool is_plane = l->mesh->dimension == 2;
+    const int cell = (is_plane ? cell_along(l, 1, x[1]) * l->count[0] : 0) + cell_along(l, 0, x[0]);
     int best = -1;
     double most = -INFINITY;
     for (int k = l->start[cell]; k < l->start[cell + 1]; k++) {
-        const double inside = depth(l->mesh, l->element[k], x);
+        const int e = l->element[k];
+        const double inside = is_plane ? depth_in_triangle(l->mesh, e, x) : depth_in_interval(l->mesh, e, x);
         if (inside > most) {
             most = inside;
-            best = l->element[k];
+            best = e;
         }
     }
+    if (depth) *depth = most;
     return best;
 }
