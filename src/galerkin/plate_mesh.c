@@ -54,9 +54,14 @@ done:
     return status;
 }
 
-static int cells_between(const lines *marks, int i, double spacing)
+// The ends of cracks are on odd columns and even rows, where the diagonals of the cells about them do not meet. All columns and
+// rows together are even, so that a plate that is its own mirror image has such a mesh.
+static int cells_between(const lines *marks, int axis, int i, double spacing)
 {
-    return (int)ceil((marks->x[i + 1] - marks->x[i]) / spacing * (1.0 - 1e-9));
+    const int cells = (int)ceil((marks->x[i + 1] - marks->x[i]) / spacing * (1.0 - 1e-9));
+    const bool is_first = i == 0, is_last = i + 2 == marks->count;
+    const int remainder = axis == 0 && is_first != is_last ? 1 : 0;
+    return cells % 2 == remainder ? cells : cells + 1;
 }
 
 static pdmc_status find_lines(const pdmc_problem *problem, int axis, lines *out)
@@ -66,10 +71,10 @@ static pdmc_status find_lines(const pdmc_problem *problem, int axis, lines *out)
     lines marks = {0};
     int count = 1;
     PDMC_TRY(find_marks(problem, axis, &marks));
-    for (int i = 0; i + 1 < marks.count; i++) count += cells_between(&marks, i, spacing);
+    for (int i = 0; i + 1 < marks.count; i++) count += cells_between(&marks, axis, i, spacing);
     PDMC_NEW(out->x, count);
     for (int i = 0; i + 1 < marks.count; i++) {
-        const int cells = cells_between(&marks, i, spacing);
+        const int cells = cells_between(&marks, axis, i, spacing);
         for (int k = 0; k < cells; k++) out->x[out->count++] = marks.x[i] + (marks.x[i + 1] - marks.x[i]) * k / cells;
     }
     out->x[out->count++] = marks.x[marks.count - 1];
