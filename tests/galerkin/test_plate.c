@@ -226,6 +226,36 @@ static void bins_share_the_planes(void **state)
     pdmc_plate_elements_destroy(&plate);
 }
 
+static int triangles_at(const pdmc_mesh *mesh, const double x[2])
+{
+    int count = 0;
+    for (int k = 0; k < 3 * mesh->element_count; k++) {
+        const double *corner = &mesh->x[2 * mesh->corner[k]];
+        count += hypot(corner[0] - x[0], corner[1] - x[1]) < 1e-9;
+    }
+    return count;
+}
+
+// One triangle in each of the four cells about a tip: with diagonals that meet there, two. In any number of cells, of a crack
+// along x, along y, and from a side, and beyond sides that are held.
+static void diagonals_do_not_meet_at_tips(void **state)
+{
+    (void)state;
+    const double cracks[3][4] = {{-0.3, 0.0, 0.3, 0.0}, {0.1, -0.2, 0.1, 0.3}, {-0.7, 0.1, 0.2, 0.1}};
+    for (int k = 0; k < 12; k++) {
+        cracked c;
+        pdmc_mesh mesh;
+        describe(1.2, 1.2, 0.3, 0.3, 0.3 / (2 + k / 3), &c);
+        memcpy(c.crack.from, cracks[k % 3], sizeof c.crack.from);
+        memcpy(c.crack.to, cracks[k % 3] + 2, sizeof c.crack.to);
+        if (k % 2) c.supports[c.problem.support_count++] = (pdmc_support){.side = PDMC_SIDE_LEFT, .held = {true, true}};
+        CHECK_OK(pdmc_plate_mesh(&c.problem, &mesh));
+        assert_int_equal(triangles_at(&mesh, c.crack.to), 4);
+        if (k % 3 < 2) assert_int_equal(triangles_at(&mesh, c.crack.from), 4);
+        pdmc_mesh_clear(&mesh);
+    }
+}
+
 static pdmc_status make_all(const pdmc_problem *problem)
 {
     pdmc_plate_elements *plate = NULL;
@@ -256,6 +286,7 @@ int main(void)
         cmocka_unit_test(intensities_are_those_of_the_field),
         cmocka_unit_test(the_model_knows_every_answer),
         cmocka_unit_test(bins_share_the_planes),
+        cmocka_unit_test(diagonals_do_not_meet_at_tips),
         cmocka_unit_test(memory_that_runs_out_is_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
