@@ -16,9 +16,8 @@ static pdmc_law_value saturating(double stretch, double most)
 static pdmc_law_value softening(double stretch, double scale)
 {
     const double square = gsl_pow_2(stretch / scale), e = exp(-square);
-    return (pdmc_law_value){.force = stretch * e,
-                            .slope = (1.0 - 2.0 * square) * e,
-                            .energy = 0.5 * scale * scale * (1.0 - e)};
+    return (pdmc_law_value){
+        .force = stretch * e, .slope = (1.0 - 2.0 * square) * e, .energy = 0.5 * scale * scale * (1.0 - e)};
 }
 
 pdmc_law_value pdmc_law_at(const pdmc_bond_law *law, double stretch)

@@ -99,8 +99,14 @@ pdmc_status pdmc_form_march(const pdmc_form *form, const pdmc_form *mass, int co
 {
     pdmc_status status = PDMC_OK;
     pdmc_sparse_factor *factor = NULL;
-    marcher m = {.bonds = force_of_form, .context = form, .load = load, .mass = mass, .free_count = form->free_count,
-                 .count = count, .frequency = frequency, .now = u};
+    marcher m = {.bonds = force_of_form,
+                 .context = form,
+                 .load = load,
+                 .mass = mass,
+                 .free_count = form->free_count,
+                 .count = count,
+                 .frequency = frequency,
+                 .now = u};
     PDMC_TRY(check_steps(step, steps));
     PDMC_TRY(march_allocate(&m));
     PDMC_TRY(pdmc_form_factor(mass, &factor));
@@ -144,16 +150,21 @@ static void weigh(const marcher *m, double step, int done, double earlier[], dou
     b->drift = fmax(b->drift, fabs(kinetic + m->potential - b->start));
 }
 
-pdmc_status pdmc_law_bonds_march(const pdmc_law_bonds *bonds, const pdmc_form *mass, const double load[], double step, int steps,
-                             double u[], double *drift)
+pdmc_status pdmc_law_bonds_march(const pdmc_law_bonds *bonds, const pdmc_form *mass, const double load[], double step,
+                                 int steps, double u[], double *drift)
 {
     pdmc_status status = PDMC_OK;
     pdmc_sparse_factor *factor = NULL;
     double *earlier = NULL, *velocity = NULL;
     balance b = {0};
     const pdmc_space *space = bonds->assembly.space;
-    marcher m = {.bonds = force_of_bonds, .context = bonds, .load = load, .mass = mass,
-                 .free_count = space->free_count, .count = space->count, .now = u};
+    marcher m = {.bonds = force_of_bonds,
+                 .context = bonds,
+                 .load = load,
+                 .mass = mass,
+                 .free_count = space->free_count,
+                 .count = space->count,
+                 .now = u};
     PDMC_TRY(check_steps(step, steps));
     PDMC_TRY(march_allocate(&m));
     PDMC_NEW(earlier, space->free_count);

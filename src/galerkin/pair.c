@@ -84,8 +84,7 @@ void pdmc_pair_points(const pdmc_pair_rule *rule, const pdmc_element *other, con
     points->count = 0;
     if (rule->rule.inner == PDMC_INNER_CARELESS) careless_points(rule, other, points);
     else if (rule->kernel->dimension == 1) points_of_interval(rule, other, x, points);
-    else
-        pdmc_triangle_disc_points(&rule->polynomial, (const double *)other->corner, x, rule->kernel->horizon, points);
+    else pdmc_triangle_disc_points(&rule->polynomial, (const double *)other->corner, x, rule->kernel->horizon, points);
 }
 
 static pdmc_moments moments_by_points(const pdmc_pair_rule *rule, const pdmc_element *other, const double x[2])
@@ -172,8 +171,8 @@ void pdmc_pair_integrate(const pdmc_pair_rule *rule, const pdmc_element *element
         const double *near = &rule->outer.at[PDMC_CORNERS * p], weight = 0.5 * element->size * rule->outer.weight[p];
         pdmc_element_point(element, dimension, near, x);
         if (pdmc_pair_is_beyond(rule, other, x)) continue;
-        const pdmc_moments m = rule->rule.inner == PDMC_INNER_EXACT ? exact_moments(rule, other, x)
-                                                                    : moments_by_points(rule, other, x);
+        const pdmc_moments m =
+            rule->rule.inner == PDMC_INNER_EXACT ? exact_moments(rule, other, x) : moments_by_points(rule, other, x);
         pdmc_element_coordinates(other, dimension, x, far);
         pdmc_pair_add_moments(dimension + 1, element, other, same, near, far, &m, weight, block);
     }

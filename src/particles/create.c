@@ -32,7 +32,8 @@ static pdmc_status check(const pdmc_particles_options *o)
         PDMC_REQUIRE(o->bodies[b].material >= 0 && o->bodies[b].material < o->material_count,
                      "bodies[%d]: material %d, there are %d", b, o->bodies[b].material, o->material_count);
     for (int b = 0; b < o->body_count; b++)
-        PDMC_REQUIRE(!pdmc_shape_has_nodes(o->bodies[b].shape.kind) || o->bodies[b].nodes, "bodies[%d]: nodes: NULL", b);
+        PDMC_REQUIRE(!pdmc_shape_has_nodes(o->bodies[b].shape.kind) || o->bodies[b].nodes, "bodies[%d]: nodes: NULL",
+                     b);
     for (int s = 0; s < o->sphere_count; s++)
         PDMC_REQUIRE(o->spheres[s].radius > 0.0 && o->spheres[s].mass > 0.0 && o->spheres[s].stiffness > 0.0,
                      "spheres[%d]: radius, mass and stiffness need to be > 0", s);
@@ -65,8 +66,8 @@ static pdmc_status copy_materials(const pdmc_particles_options *o, pdmc_particle
         const pdmc_brittle_material *material = &o->materials[m];
         p->density[m] = material->density;
         p->laws[m] = (pdmc_brittle_law){.micromodulus = material->micromodulus,
-                                     .critical_stretch = material->critical_stretch,
-                                     .strengthening = material->strengthening};
+                                        .critical_stretch = material->critical_stretch,
+                                        .strengthening = material->strengthening};
         lay_fibres(material, &p->laws[m]);
     }
 done:
@@ -136,7 +137,8 @@ static pdmc_status choose_step(const pdmc_particles_options *o, pdmc_particles *
     p->stable_step =
         pdmc_bonds_stable_step(&p->nodes, &p->variation, p->material_count, p->laws, p->density, o->bond_damping);
     p->step = o->step > 0.0 ? o->step : o->safety * p->stable_step;
-    PDMC_REQUIRE(p->step > 0.0 && p->step <= p->stable_step, "step: %g is too large, must be at most %g, the largest stable one", p->step, p->stable_step);
+    PDMC_REQUIRE(p->step > 0.0 && p->step <= p->stable_step,
+                 "step: %g is too large, must be at most %g, the largest stable one", p->step, p->stable_step);
     return PDMC_OK;
 }
 
@@ -242,8 +244,8 @@ void pdmc_particles_destroy(pdmc_particles *p)
         pdmc_free(p->velocity[a]);
         pdmc_free(p->force[a]);
     }
-    void *const others[] = {p->density,  p->laws,         p->held,           p->strength, p->next_strength,
-                            p->fracture, p->elastic,      p->contact_energy, p->share,    p->layers,
+    void *const others[] = {p->density,  p->laws,         p->held,           p->strength,       p->next_strength,
+                            p->fracture, p->elastic,      p->contact_energy, p->share,          p->layers,
                             p->spheres,  p->sphere_force, p->sphere_energy,  p->interface_bonds};
     for (size_t k = 0; k < sizeof others / sizeof *others; k++) pdmc_free(others[k]);
     pdmc_free(p);

@@ -47,7 +47,8 @@ static void join_alike(const pdmc_brittle_law *law, size_t at, pdmc_joints *j)
 }
 
 /// Bonds between two bodies: by the interface, and where that does not say it by the materials of both.
-static void join(const pdmc_particles_options *o, const pdmc_brittle_law laws[], int a, int b, size_t at, pdmc_joints *j)
+static void join(const pdmc_particles_options *o, const pdmc_brittle_law laws[], int a, int b, size_t at,
+                 pdmc_joints *j)
 {
     const bool is_alike = o->bodies[a].material == o->bodies[b].material;
     const pdmc_brittle_law *law = &laws[o->bodies[a].material], *other = &laws[o->bodies[b].material];
@@ -92,7 +93,8 @@ static pdmc_status check_part(const pdmc_particles_options *o, int b)
     if (!body->is_part) return PDMC_OK;
     PDMC_REQUIRE(body->host >= 0 && body->host < b && !o->bodies[body->host].is_part,
                  "bodies[%d]: its host needs to be an earlier body that is no part of another", b);
-    PDMC_REQUIRE(!pdmc_shape_has_nodes(body->shape.kind), "bodies[%d]: a part of another body has no nodes of its own", b);
+    PDMC_REQUIRE(!pdmc_shape_has_nodes(body->shape.kind), "bodies[%d]: a part of another body has no nodes of its own",
+                 b);
     return PDMC_OK;
 }
 

@@ -50,8 +50,8 @@ static bool are_alike(const pdmc_nodes *g, const pdmc_variation *v, const pdmc_b
     return !v->stiffness && (law->fibre_excess == 0.0 || !g->partner);
 }
 
-double pdmc_bonds_stable_step(const pdmc_nodes *g, const pdmc_variation *v, int materials, const pdmc_brittle_law laws[],
-                              const double density[], double bond_damping)
+double pdmc_bonds_stable_step(const pdmc_nodes *g, const pdmc_variation *v, int materials,
+                              const pdmc_brittle_law laws[], const double density[], double bond_damping)
 {
     double least = INFINITY;
     for (int m = 0; m < materials; m++)

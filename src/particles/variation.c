@@ -152,8 +152,8 @@ static double along_fibres(const pdmc_nodes *g, const double fibre[], double exc
     return square > 0.0 ? 1.0 + excess * beta * beta / square : 1.0;
 }
 
-double pdmc_variation_micromodulus(const pdmc_variation *v, const pdmc_nodes *g, const pdmc_brittle_law *law, size_t cell,
-                                   size_t other)
+double pdmc_variation_micromodulus(const pdmc_variation *v, const pdmc_nodes *g, const pdmc_brittle_law *law,
+                                   size_t cell, size_t other)
 {
     const double factor = v->stiffness ? 0.5 * (v->stiffness[cell] + v->stiffness[other]) : 1.0;
     double c = law->micromodulus, excess = law->fibre_excess;
