@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-enum { SAMPLES = 64 };
+enum { SAMPLES = FINEST_LEFT_OUT ? 16 : 64 };
 
 static void run_field(int modes, const char *variation, const char *sampling, pdmc_results *results)
 {

@@ -114,7 +114,7 @@ static void the_opening_is_that_of_refined_bonds(void **state)
     const int refinements[4] = {3, 4, 6, 9};
     for (int c = FINEST_LEFT_OUT; c < 2; c++) {
         const double refined = refined_opening(cases[c].horizon, cases[c].half);
-        for (int r = 0; r < 4 - FINEST_LEFT_OUT; r++) {
+        for (int r = 0; r < 4 - 2 * FINEST_LEFT_OUT; r++) {
             double mean = 0.0, error[PLACES];
             for (int k = 0; k < PLACES; k++) {
                 const double opening = opening_of_stencils(cases[c].horizon, cases[c].half, refinements[r], k);
