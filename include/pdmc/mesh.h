@@ -66,7 +66,7 @@ typedef struct {
 /// other and from holes.
 typedef struct {
     double width, height;
-    double layer;              // width of the layer round the rectangle and inside its holes; 0 for none
+    double layer;              // width round the rectangle and inside its holes; 0 for none, and with cracks
     double spacing;            // length of edges, about
     double fine_spacing, near; // ... within `near` of holes and cracks; from there it grows by a quarter of the way
     int hole_count, slit_count;

@@ -13,8 +13,7 @@ typedef struct {
     double *radius;
 } pdmc_element_bins;
 
-/// Bins no smaller than what the middles of two elements can be apart that come nearer than `reach`; or a point and the middle
-/// of an element that it lies in.
+/// Bins no smaller than what the middles of two elements can be apart that come nearer than `reach`.
 /// @param[out] b  zero before; free with pdmc_element_bins_clear(), also after a failure
 PDMC_NODISCARD pdmc_status pdmc_element_bins_create(const pdmc_mesh *mesh, double reach, pdmc_element_bins *b);
 void pdmc_element_bins_clear(pdmc_element_bins *b);

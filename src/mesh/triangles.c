@@ -19,7 +19,8 @@ static pdmc_status check_lengths(const pdmc_mesh_plate *p)
                  PDMC_GMSH_MOST_HOLES);
     PDMC_REQUIRE(p->slit_count <= PDMC_GMSH_MOST_SLITS, "%d cracks are more than %d", p->slit_count,
                  PDMC_GMSH_MOST_SLITS);
-    PDMC_REQUIRE(p->layer == 0.0 || p->slit_count == 0, "cracks in a plate with a layer are not implemented");
+    PDMC_REQUIRE(p->layer == 0.0 || p->slit_count == 0,
+                 "%d cracks in a plate with a layer of %g: it may have one or the other", p->slit_count, p->layer);
     return PDMC_OK;
 }
 
